@@ -1,0 +1,92 @@
+# Rayshade in parallel. `make` builds every program under build/; `make help` lists the other goals.
+# Variables: SAN=address,undefined (sanitizers), TEST_FILTER='Suite.*' (GoogleTest), CXX, BUILD.
+
+comma := ,
+BUILD ?= build$(if $(SAN),/san-$(subst $(comma),-,$(SAN)))
+OBJ := $(BUILD)/obj
+GEN := $(BUILD)/gen
+CXX := g++
+WARNINGS := -Wall -Wextra -Werror
+CPPFLAGS := -I. -I$(GEN) -MMD -MP
+CXXFLAGS := -std=c++20 -O2 -g -ffp-contract=off $(WARNINGS)
+LDLIBS := -lpng
+PVM_ROOT ?= /usr/lib/pvm3
+export PVM_ROOT
+ifdef SAN
+CXXFLAGS += -fsanitize=$(SAN) -fno-sanitize-recover=all -fno-omit-frame-pointer
+LDFLAGS += -fsanitize=$(SAN)
+endif
+
+CORE := $(filter-out rayshade/main.cc,$(wildcard rayshade/*/*.cc))
+PARALLEL := $(wildcard parallel/*.cc) $(filter-out %_main.cc,$(wildcard parallel/sim/*.cc))
+PVM := $(filter-out %_main.cc,$(wildcard parallel/pvm/*.cc))
+TESTS := $(wildcard tests/*/*_test.cc tests/*/*/*_test.cc tests/support/*.cc)
+TEST_FILTER ?= *
+
+object = $(patsubst %.cc,$(OBJ)/%.o,$(1))
+CORE_LIB := $(BUILD)/librayshade.a
+PARALLEL_LIB := $(BUILD)/libparallel.a
+PVM_LIB := $(BUILD)/libparallel_pvm.a
+PROGRAMS := $(BUILD)/rayshade $(patsubst scenes/%.cc,$(BUILD)/%,$(wildcard scenes/*.cc)) \
+  $(if $(wildcard parallel/pvm/host_main.cc),$(BUILD)/prayshade) \
+  $(if $(wildcard parallel/pvm/trace_main.cc),$(BUILD)/prayshade-trace) \
+  $(if $(wildcard parallel/sim/sim_main.cc),$(BUILD)/prayshade-sim)
+
+.PHONY: all test help clean
+all: $(PROGRAMS)
+
+help:
+	@echo "make            build all programs under build/"
+	@echo "make test       build and run every test"
+	@echo "make clean      remove build/"
+
+# Generated parser; its own warnings are not ours.
+$(GEN)/rayshade/scene/grammar.cc $(GEN)/rayshade/scene/grammar.h &: rayshade/scene/grammar.y
+	@mkdir -p $(@D)
+	bison -o $(GEN)/rayshade/scene/grammar.cc --defines=$(GEN)/rayshade/scene/grammar.h $<
+$(GEN)/rayshade/scene/lexer.cc: rayshade/scene/lexer.l
+	@mkdir -p $(@D)
+	flex -o $@ $<
+GENERATED := $(OBJ)/gen/grammar.o $(OBJ)/gen/lexer.o
+$(OBJ)/gen/%.o: $(GEN)/rayshade/scene/%.cc $(GEN)/rayshade/scene/grammar.h
+	@mkdir -p $(@D)
+	$(CXX) $(CPPFLAGS) $(CXXFLAGS) -Wno-error -w -c -o $@ $<
+$(OBJ)/rayshade/scene/%.o: | $(GEN)/rayshade/scene/grammar.h
+
+# One kernel source per instruction set; which one runs is decided at start (accel/).
+$(OBJ)/rayshade/accel/%_avx2.o: CXXFLAGS += -O3 -mavx2
+$(OBJ)/rayshade/accel/%_avx512.o: CXXFLAGS += -O3 -mavx512f -mavx512dq -mavx512vl -mavx512bw -mprefer-vector-width=512
+$(OBJ)/rayshade/accel/%_plain.o: CXXFLAGS += -O3
+
+$(OBJ)/%.o: %.cc
+	@mkdir -p $(@D)
+	$(CXX) $(CPPFLAGS) $(CXXFLAGS) -c -o $@ $<
+
+$(CORE_LIB): $(call object,$(CORE)) $(if $(wildcard rayshade/scene/grammar.y),$(GENERATED))
+	rm -f $@ && ar rcs $@ $^
+$(PARALLEL_LIB): $(call object,$(PARALLEL))
+	rm -f $@ && ar rcs $@ $^
+$(PVM_LIB): $(call object,$(PVM))
+	rm -f $@ && ar rcs $@ $^
+
+LINK = $(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(LDLIBS)
+$(BUILD)/rayshade: $(OBJ)/rayshade/main.o $(CORE_LIB)
+	$(LINK)
+$(BUILD)/prayshade: $(OBJ)/parallel/pvm/host_main.o $(PVM_LIB) $(PARALLEL_LIB) $(CORE_LIB)
+	$(LINK) -lpvm3
+$(BUILD)/prayshade-trace: $(OBJ)/parallel/pvm/trace_main.o $(PVM_LIB) $(PARALLEL_LIB) $(CORE_LIB)
+	$(LINK) -lpvm3
+$(BUILD)/prayshade-sim: $(OBJ)/parallel/sim/sim_main.o $(PARALLEL_LIB) $(CORE_LIB)
+	$(LINK)
+$(patsubst scenes/%.cc,$(BUILD)/%,$(wildcard scenes/*.cc)): $(BUILD)/%: $(OBJ)/scenes/%.o
+	$(LINK)
+$(BUILD)/unit_tests: $(call object,$(TESTS)) $(PVM_LIB) $(PARALLEL_LIB) $(CORE_LIB)
+	$(LINK) $(if $(wildcard parallel/pvm/*.cc),-lpvm3) -lgtest_main -lgtest -lpthread
+
+test: $(BUILD)/unit_tests all
+	$(BUILD)/unit_tests --gtest_filter='$(TEST_FILTER)'
+
+clean:
+	rm -rf build
+
+-include $(shell find $(OBJ) -name '*.d' 2>/dev/null)

@@ -1,0 +1,63 @@
+// An arithmetic expression of the scene language, which may vary with time and frame [rayshade4/1
+// s.5]: a program for a stack machine. A pure function of the moment.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace rayshade {
+
+struct Moment {
+  double frame = 0;
+  double time = 0;
+};
+
+enum class ExpressionOp : uint8_t {
+  kNumber,
+  kTime,
+  kFrame,
+  kAdd,
+  kSubtract,
+  kMultiply,
+  kDivide,
+  kRemainder,
+  kNegate,
+  kPower,
+  kCos,
+  kSin,
+  kTan,
+  kAcos,
+  kAsin,
+  kAtan,
+  kSqrt,
+  kHypot,
+  kLinear,
+};
+
+struct ExpressionStep {
+  ExpressionOp op = ExpressionOp::kNumber;
+  double number = 0;  // of kNumber
+  bool operator==(const ExpressionStep&) const = default;
+};
+
+class Expression {
+ public:
+  Expression() : Expression(0.0) {}
+  explicit Expression(double number) : steps_{{ExpressionOp::kNumber, number}} {}
+  // steps: postfix order; must leave exactly one number (CHECKed by Evaluate).
+  explicit Expression(std::vector<ExpressionStep> steps) : steps_(std::move(steps)) {}
+
+  bool varies() const;  // contains kTime, kFrame or kLinear
+  double Evaluate(const Moment& moment) const;
+  const std::vector<ExpressionStep>& steps() const { return steps_; }
+  bool operator==(const Expression&) const = default;
+
+ private:
+  std::vector<ExpressionStep> steps_;
+};
+
+// An operation applied to expressions; folded to a number where no argument varies (kLinear always
+// varies).
+Expression Apply(ExpressionOp op, const std::vector<Expression>& arguments);
+
+}  // namespace rayshade

@@ -1,0 +1,40 @@
+// Counts of the operations that tracing costs. They are exact and repeatable: tests compare them,
+// the cost model of the simulator multiplies them with unit costs.
+#pragma once
+
+#include <cstdint>
+
+namespace rayshade {
+
+// X(name): one counter each.
+#define RAYSHADE_OP_COUNTS(X)                                                      \
+  X(primary_rays)                                                                  \
+  X(shadow_rays)                                                                   \
+  X(reflected_rays)                                                                \
+  X(refracted_rays)                                                                \
+  X(hits)        /* rays that hit something and were shaded */                     \
+  X(shadow_hits) /* shadow rays that met something */                              \
+  X(supersampled_pixels)                                                           \
+  X(node_visits)     /* nodes of the hierarchy opened, once per ray (or bundle) */ \
+  X(primitive_tests) /* ray against one primitive */                               \
+  X(cell_steps)      /* cells of the subdivision walked through */                 \
+  X(shades)          /* hits shaded */                                             \
+  X(light_samples)   /* lights looked at from a hit */
+
+struct OpCounts {
+#define RAYSHADE_DECLARE(name) uint64_t name = 0;
+  RAYSHADE_OP_COUNTS(RAYSHADE_DECLARE)
+#undef RAYSHADE_DECLARE
+
+  uint64_t total_rays() const {
+    return primary_rays + shadow_rays + reflected_rays + refracted_rays;
+  }
+  OpCounts& operator+=(const OpCounts& o) {
+#define RAYSHADE_ADD(name) name += o.name;
+    RAYSHADE_OP_COUNTS(RAYSHADE_ADD)
+#undef RAYSHADE_ADD
+    return *this;
+  }
+};
+
+}  // namespace rayshade

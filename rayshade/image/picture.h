@@ -1,0 +1,32 @@
+// The picture as it is gathered: unclamped colours with alpha, row 0 on top.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "rayshade/common/color.h"
+
+namespace rayshade {
+
+struct PixelValue {
+  Color color;
+  double alpha = 0;
+  bool full = false;  // supersampled, for the sample map
+};
+
+class Picture {
+ public:
+  Picture(int width, int height)
+      : width_(width), height_(height), pixels_(size_t(width) * height) {}
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  PixelValue& at(int x, int y) { return pixels_[size_t(y) * width_ + x]; }
+  const PixelValue& at(int x, int y) const { return pixels_[size_t(y) * width_ + x]; }
+
+ private:
+  int width_, height_;
+  std::vector<PixelValue> pixels_;
+};
+
+}  // namespace rayshade

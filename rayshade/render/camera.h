@@ -1,0 +1,54 @@
+// From samples of the picture to primary rays [rayshade4/1 s.7, 8.4-8.6]. Every process that traces
+// primary rays has a camera; a ray is a pure function of settings, frame and sample.
+#pragma once
+
+#include <cstdint>
+
+#include "rayshade/common/ray.h"
+#include "rayshade/scene/settings.h"
+
+namespace rayshade {
+
+// The part of the screen that is rendered, in absolute pixels, both ends included; row 0 is the top
+// row.
+struct PictureWindow {
+  int minx = 0, miny = 0, maxx = 0, maxy = 0;
+  int width() const { return maxx - minx + 1; }
+  int height() const { return maxy - miny + 1; }
+};
+
+// One sample of the picture. x, y relative to the window; y may be height() (the extra row below,
+// rayshade4/1 s.8.3).
+struct Sample {
+  int32_t x = 0, y = 0;
+  uint16_t sub_cell = 0;
+  bool single =
+      false;  // the first sample of a pixel: positions round differently [rayshade4/1 s.8.4]
+  bool operator==(const Sample&) const = default;
+};
+
+class Camera {
+ public:
+  // REQUIRES: CheckView(settings) is empty.
+  Camera(const Settings& settings, int frame);
+
+  Ray PrimaryRay(const Sample& sample) const;
+  // The sub-cell that the single sample of a pixel falls into.
+  uint16_t SingleSubCell(int x, int y) const;
+  const PictureWindow& window() const { return window_; }
+  const Vector& eye() const { return eye_; }
+
+ private:
+  Settings settings_;
+  int frame_;
+  PictureWindow window_;
+  Vector eye_, direction_, right_, up_;  // unit axes
+  Vector corner_, step_x_, step_y_;      // [rayshade4/1 s.7.3]
+  double distance_ = 0;
+  double frame_start_ = 0;
+};
+
+// What is wrong with the view or the sampling, in Rayshade's words, or "".
+std::string CheckView(const Settings& settings);
+
+}  // namespace rayshade

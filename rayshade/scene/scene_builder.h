@@ -1,0 +1,43 @@
+// The sink of the sequential tracer: a scene and one object set with everything in it. What is
+// common with the parallel host's sink (which keeps objects on disk) is in scene/skeleton.h.
+#pragma once
+
+#include <memory>
+
+#include "rayshade/accel/object_set.h"
+#include "rayshade/scene/scene.h"
+#include "rayshade/scene/scene_sink.h"
+
+namespace rayshade {
+
+class SceneBuilder : public SceneSink {
+ public:
+  SceneBuilder();
+  ~SceneBuilder() override;
+
+  SurfaceId AddSurface(const Surface& surface) override;
+  TextureId AddTexture(const TextureSpec& texture) override;
+  void AddLight(const LightSpec& light) override;
+  void SetAtmosphere(const Atmosphere& atmosphere) override;
+  void AddPrimitive(GeomSpec&& spec, Attributes&& attributes) override;
+  void AddInstance(DefinitionId definition, Attributes&& attributes) override;
+  void BeginAggregate(AggregateKind kind, const int counts[3]) override;
+  bool EndAggregate(Attributes&& attributes) override;
+  void BeginDefinition() override;
+  DefinitionId EndDefinition() override;
+  void OnSettings(const Settings& settings) override;
+
+  // After parsing: scene and objects of one frame, ready to trace. May be called for several
+  // frames.
+  struct Built {
+    std::unique_ptr<Scene> scene;
+    std::unique_ptr<ObjectSet> objects;
+  };
+  Built Build(int frame);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace rayshade
