@@ -1,6 +1,7 @@
 // The picture as it is gathered: unclamped colours with alpha, row 0 on top.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -17,12 +18,12 @@ struct PixelValue {
 class Picture {
  public:
   Picture(int width, int height)
-      : width_(width), height_(height), pixels_(size_t(width) * height) {}
+      : width_(width), height_(height), pixels_(std::size_t(width) * height) {}
 
   int width() const { return width_; }
   int height() const { return height_; }
-  PixelValue& at(int x, int y) { return pixels_[size_t(y) * width_ + x]; }
-  const PixelValue& at(int x, int y) const { return pixels_[size_t(y) * width_ + x]; }
+  PixelValue& at(int x, int y) { return pixels_[std::size_t(y) * width_ + x]; }
+  const PixelValue& at(int x, int y) const { return pixels_[std::size_t(y) * width_ + x]; }
 
  private:
   int width_, height_;
