@@ -3,6 +3,18 @@
 
 comma := ,
 BUILD ?= build$(if $(SAN),/san-$(subst $(comma),-,$(SAN)))
+
+# What the goals need from the system is looked for first (milliseconds), and installed where it is missing.
+GOALS := $(filter-out clean help lint $(BUILD)/%,$(or $(MAKECMDGOALS),all))
+NEEDS := $(if $(GOALS),build) $(if $(filter test deps,$(GOALS)),test) $(if $(filter deps,$(GOALS)),charts)
+ifneq ($(strip $(if $(findstring n,$(firstword -$(MAKEFLAGS))),,$(NEEDS))),)
+ifneq ($(shell sh tests/support/dependencies.sh $(NEEDS) >&2 && echo ready),ready)
+$(error something that the build needs is missing: see above)
+endif
+endif
+# A whole machine for the goals that do everything, unless the user said -j himself.
+ALL_CORES = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell nproc))
+
 OBJ := $(BUILD)/obj
 GEN := $(BUILD)/gen
 CXX := g++
@@ -32,13 +44,18 @@ PROGRAMS := $(BUILD)/rayshade $(patsubst scenes/%.cc,$(BUILD)/%,$(wildcard scene
   $(if $(wildcard parallel/pvm/trace_main.cc),$(BUILD)/prayshade-trace) \
   $(if $(wildcard parallel/sim/sim_main.cc),$(BUILD)/prayshade-sim)
 
-.PHONY: all test help clean
+.PHONY: all deps demo test help clean
 all: $(PROGRAMS)
 
 help:
 	@echo "make            build all programs under build/"
+	@echo "make demo       build, render the balls by every schedule on a private virtual machine, print a table"
 	@echo "make test       build and run every test"
+	@echo "make deps       install what is missing for all of this (apt-get; root or sudo)"
 	@echo "make clean      remove build/"
+
+deps:
+	@echo "Nothing is missing."
 
 # Generated parser; its own warnings are not ours.
 $(GEN)/rayshade/scene/grammar.cc $(GEN)/rayshade/scene/grammar.h &: rayshade/scene/grammar.y
@@ -83,8 +100,13 @@ $(patsubst scenes/%.cc,$(BUILD)/%,$(wildcard scenes/*.cc)): $(BUILD)/%: $(OBJ)/s
 $(BUILD)/unit_tests: $(call object,$(TESTS)) $(PVM_LIB) $(PARALLEL_LIB) $(CORE_LIB)
 	$(LINK) $(if $(wildcard parallel/pvm/*.cc),-lpvm3) -lgtest_main -lgtest -lpthread
 
-test: $(BUILD)/unit_tests all
-	$(BUILD)/unit_tests --gtest_filter='$(TEST_FILTER)'
+demo:
+	@$(MAKE) --no-print-directory $(ALL_CORES) all
+	@tests/support/demo.sh $(BUILD)
+
+test:
+	@$(MAKE) --no-print-directory $(ALL_CORES) $(BUILD)/unit_tests all
+	@tests/support/run_tests.sh $(BUILD) '$(TEST_FILTER)'
 
 clean:
 	rm -rf build
