@@ -27,6 +27,9 @@ class TransformChain {
   void Append(const Transform& transform);
   void Append(AnimatedTransform transform);
 
+  // Puts back a link of another chain's links(), without folding.
+  void Restore(TransformLink link) { links_.push_back(std::move(link)); }
+
   bool empty() const { return links_.empty(); }
   bool animated() const;
   size_t size() const { return links_.size(); }
