@@ -149,4 +149,8 @@ double PAChaos(Vector p, int octaves) {
 
 double OmegaOf(double h, double lambda) { return std::pow(lambda, -0.5 * (1.0 + 2.0 * h)); }
 
+double NoiseFraction(double sum, double max) {
+  return std::isinf(max) ? 0.5 : (max + sum) * 0.5 / max;
+}
+
 }  // namespace rayshade

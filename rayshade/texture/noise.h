@@ -27,6 +27,8 @@ double PAChaos(Vector p, int octaves);       // of absolute values
 
 // The weight of one octave after the other, from the language's H and lambda.
 double OmegaOf(double h, double lambda);
+// A sum brought from [-max, max] to [0, 1], not clamped; half where max is infinite.
+double NoiseFraction(double sum, double max);
 
 // For tests: the tables as such.
 struct NoiseTables {
