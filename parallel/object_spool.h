@@ -1,0 +1,62 @@
+// The parsed scene with its objects on disk: the sink of a parallel run's host. Memory does not
+// grow with the number of objects; the host reads them back in passes.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "parallel/message.h"
+#include "rayshade/scene/scene.h"
+#include "rayshade/scene/scene_sink.h"
+
+namespace rayshade::parallel {
+
+// A placed object as a pass over the spool gives it.
+struct SpooledObject {
+  bool bounded = true;
+  Bounds bounds;       // world, as WorldBounds gives them
+  uint64_t bytes = 0;  // that it will occupy in a process, estimated
+  WireObject object;   // decoded only where asked for
+};
+
+class ObjectSpool : public SceneSink {
+ public:
+  // Files are made in $TMPDIR or /tmp and vanish with the process. Throws std::runtime_error where
+  // they cannot be written (a full disk).
+  ObjectSpool();
+  ~ObjectSpool() override;
+
+  SurfaceId AddSurface(const Surface& surface) override;
+  TextureId AddTexture(const TextureSpec& texture) override;
+  void AddLight(const LightSpec& light) override;
+  void SetAtmosphere(const Atmosphere& atmosphere) override;
+  void AddPrimitive(GeomSpec&& spec, Attributes&& attributes) override;
+  void AddInstance(DefinitionId definition, Attributes&& attributes) override;
+  void BeginAggregate(AggregateKind kind, const int counts[3]) override;
+  bool EndAggregate(Attributes&& attributes) override;
+  void BeginDefinition() override;
+  DefinitionId EndDefinition() override;
+  void OnSettings(const Settings& settings) override;
+
+  // After parsing. Places all objects as they stand in this frame; must be called before what
+  // follows.
+  void Place(int frame);
+  const SceneSpec& scene() const;  // without placements
+  const Placement& placement(uint32_t number) const;
+  uint64_t size() const;  // placed objects
+
+  // Calls visit for each placed object, in an order that is always the same; `geometry`: whether
+  // object.geom is wanted.
+  void ForEach(bool geometry, const std::function<void(const SpooledObject&)>& visit);
+  // The same, resumable: a cursor over the placed objects with their geometry.
+  void Rewind();
+  bool Next(SpooledObject* object);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace rayshade::parallel

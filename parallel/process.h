@@ -1,0 +1,48 @@
+// A process without its transport: it takes messages and returns messages; sockets, PVM and clocks
+// are the runner's. The same two classes (HostProcess, TraceProcess) run over PVM (parallel/pvm)
+// and in one address space (parallel/sim).
+//
+// A runner, for each process:
+//   - calls Receive for each message, in the order in which one sender sent them (no other order is
+//   promised);
+//   - calls Work while it returns true, taking in what has arrived between two calls;
+//   - stops when finished() is true and the outbox is empty.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "parallel/process_id.h"
+
+namespace rayshade::parallel {
+
+class Outbox {
+ public:
+  virtual ~Outbox() = default;
+  // bytes: a whole encoded message (parallel/message.h).
+  virtual void Send(ProcessId to, std::vector<uint8_t> bytes) = 0;
+};
+
+class Process {
+ public:
+  virtual ~Process() = default;
+
+  // Takes in one message. A malformed one is a WireError; the process is unharmed.
+  virtual void Receive(ProcessId from, std::span<const uint8_t> message, Outbox* outbox) = 0;
+  // One bounded step of work (well below a millisecond where the scene allows). False: nothing to
+  // do until a message arrives.
+  virtual bool Work(Outbox* outbox) = 0;
+  virtual bool finished() const = 0;
+};
+
+// What only the runner knows of its process; zeros where it does not.
+class Meter {
+ public:
+  virtual ~Meter() = default;
+  virtual double busy_seconds() const { return 0; }
+  virtual uint64_t peak_bytes() const { return 0; }
+  virtual const char* machine() const { return ""; }
+};
+
+}  // namespace rayshade::parallel
