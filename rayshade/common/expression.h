@@ -12,6 +12,11 @@ struct Moment {
   double time = 0;
 };
 
+// The time during which a frame is exposed.
+struct ShutterInterval {
+  double frame = 0, open = 0, close = 0;
+};
+
 enum class ExpressionOp : uint8_t {
   kNumber,
   kTime,

@@ -41,9 +41,6 @@ bool ToObject(const Placement& placement, const ObjectRay& world, double min_dis
 
 // World bounds of an object with these own-space bounds, grown as Rayshade grows them [rayshade4/2
 // s.2.2]. Animated links: over [open, close] at `samples` moments and both ends.
-struct ShutterInterval {
-  double frame = 0, open = 0, close = 0;
-};
 Bounds WorldBounds(const Placement& placement, const Bounds& own, const ShutterInterval& shutter);
 
 }  // namespace rayshade

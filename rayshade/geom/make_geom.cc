@@ -1,0 +1,61 @@
+// One branch per kind; see make_geom.h.
+#include "rayshade/geom/make_geom.h"
+
+#include "rayshade/common/check.h"
+#include "rayshade/geom/box.h"
+#include "rayshade/geom/cone.h"
+#include "rayshade/geom/cylinder.h"
+#include "rayshade/geom/disc.h"
+#include "rayshade/geom/plane.h"
+#include "rayshade/geom/polygon.h"
+#include "rayshade/geom/sphere.h"
+#include "rayshade/geom/triangle.h"
+
+namespace rayshade {
+namespace {
+
+template <typename T>
+concept Makeable = requires(const T& spec) {
+  Make(spec);
+};
+
+}  // namespace
+
+std::optional<Complaint> CheckGeom(const GeomSpec& spec) {
+  return std::visit(
+      [](const auto& s) -> std::optional<Complaint> {
+        if constexpr (Makeable<std::decay_t<decltype(s)>>) return Check(s);
+        return std::nullopt;
+      },
+      spec);
+}
+
+std::unique_ptr<const Geom> MakeGeom(const GeomSpec& spec, const ShutterInterval&) {
+  std::unique_ptr<const Geom> geom = std::visit(
+      [](const auto& s) -> std::unique_ptr<const Geom> {
+        if constexpr (Makeable<std::decay_t<decltype(s)>>) return Make(s);
+        return nullptr;
+      },
+      spec);
+  CHECK(geom != nullptr);
+  return geom;
+}
+
+bool IsBounded(const GeomSpec& spec) { return !std::holds_alternative<PlaneSpec>(spec); }
+
+Bounds BoundsOf(const GeomSpec& spec, const ShutterInterval&) {
+  return std::visit(
+      [](const auto& s) -> Bounds {
+        if constexpr (requires { BoxOf(s); }) return BoxOf(s);
+        return {};
+      },
+      spec);
+}
+
+bool IsInclusive(const GeomSpec& spec) {
+  return std::holds_alternative<DiscSpec>(spec) || std::holds_alternative<TriangleSpec>(spec) ||
+         std::holds_alternative<PhongTriangleSpec>(spec) ||
+         std::holds_alternative<TriangleUvSpec>(spec) || std::holds_alternative<PolygonSpec>(spec);
+}
+
+}  // namespace rayshade
