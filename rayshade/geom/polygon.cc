@@ -79,25 +79,27 @@ bool QuadrantsWind(const PolygonPlane& p, std::span<const Vector> points, double
 }
 
 // Winding of the points around the line of the ray, counted where edges cross the half-plane from
-// the ray towards `aside`.
+// the ray towards `aside`. False where the ray meets an edge exactly: that is left to Rayshade's
+// rule.
 bool WindsAroundRay(std::span<const Vector> points, const Vector& origin, const Vector& direction,
                     const Vector& aside) {
-  const auto above = [&](const Vector& p) {
-    return EdgeSign(origin, direction, origin + aside, p) >= 0;
+  const auto height = [&](const Vector& p) {
+    return EdgeSign(origin, direction, origin + aside, p);
   };
   int winding = 0;
   const Vector* last = &points.back();
-  bool last_above = above(*last);
+  int last_height = height(*last);
   for (const Vector& current : points) {
-    const bool now = above(current);
-    if (now != last_above) {
+    const int now = height(current);
+    if (now != last_height || now == 0) {
       const int sign = EdgeSign(origin, direction, *last, current);
-      if (sign == 0) return false;  // exactly on the border: left to Rayshade's rule
-      if (now && sign > 0) ++winding;
-      if (!now && sign < 0) --winding;
+      if (sign == 0) return false;
+      const bool was_above = last_height >= 0, is_above = now >= 0;
+      if (is_above && !was_above && sign > 0) ++winding;
+      if (!is_above && was_above && sign < 0) --winding;
     }
     last = &current;
-    last_above = now;
+    last_height = now;
   }
   return winding != 0;
 }
