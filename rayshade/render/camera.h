@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "rayshade/common/ray.h"
 #include "rayshade/scene/settings.h"

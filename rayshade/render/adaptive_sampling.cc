@@ -1,0 +1,231 @@
+// Rayshade's sampling rule as a state machine; see adaptive_sampling.h.
+#include "rayshade/render/adaptive_sampling.h"
+
+#include <algorithm>
+
+#include "rayshade/common/check.h"
+#include "rayshade/render/pixel_filter.h"
+
+namespace rayshade {
+
+AdaptiveSampling::AdaptiveSampling(const Settings& settings, const Camera& camera, bool ahead,
+                                   Picture* picture)
+    : settings_(settings),
+      camera_(camera),
+      ahead_(ahead),
+      picture_(picture),
+      width_(picture->width()),
+      height_(picture->height()),
+      cells_(settings.samples * settings.samples),
+      weights_(FilterWeights(settings)),
+      extra_row_(width_),
+      flags_(size_t(width_) * (height_ + 1)),
+      singles_missing_(height_ + 1, width_),
+      walk_(width_, 1, height_ + 1),
+      open_(height_ + 1) {
+  if (ahead) unsettled_.resize(height_ + 1);
+  singles_missing_[0] = 0;
+  for (int x = 0; x < width_; ++x) AskFull(x, 0);
+}
+
+std::vector<Sample> AdaptiveSampling::Next(size_t most) {
+  std::vector<Sample> samples;
+  if (news_) Replay();
+  if (asks_.empty() && tile_next_ == size_t(tile_.width) * tile_.height) AskBorder();
+  if (ahead_ && walk_.done() && asks_.size() * cells_ < most) Guess();
+  if (!asks_.empty()) {
+    HandOutFull(most, &samples);
+  } else {
+    HandOutSingles(most, &samples);
+  }
+  samples_handed_ += samples.size();
+  return samples;
+}
+
+void AdaptiveSampling::Put(const Sample& sample, const RayResult& result) {
+  ++samples_put_;
+  const PixelValue put{result.color, result.hit ? 1.0 : 0.0, false};
+  bool news = false;
+  if (sample.single) {
+    value(sample.x, sample.y) = put;
+    flags_[index(sample.x, sample.y)] |= kSingle;
+    news = --singles_missing_[sample.y] == 0;
+    if (ahead_) Unsettle(sample.x, sample.y);
+  } else {
+    FullSet& set = sets_.at(index(sample.x, sample.y));
+    set.results[sample.sub_cell] = put;
+    news = --set.missing == 0;
+    if (ahead_ && news) Unsettle(sample.x, sample.y);
+  }
+  news_ |= news;
+  // Near the end nobody may call Next any more.
+  const bool nothing_left = walk_.done() && asks_.empty();
+  if (news_ && (nothing_left || samples_put_ == samples_handed_)) Replay();
+}
+
+// Asking
+
+void AdaptiveSampling::AskFull(int x, int y) {
+  if (is(x, y, kAsked)) return;
+  flags_[index(x, y)] |= kAsked;
+  FullSet& set = sets_[index(x, y)];
+  set.missing = y == 0 ? cells_ : cells_ - 1;
+  set.results.resize(cells_);
+  asked_samples_ += set.missing;
+  open_[y] += set.missing;
+  asks_.push_back({x, y, 0});
+}
+
+// The ends of rows whose singles are handed out, and the last row once all are.
+void AdaptiveSampling::AskBorder() {
+  for (; border_rows_ < walk_.rows_begun(); ++border_rows_) {
+    AskFull(0, border_rows_);
+    AskFull(width_ - 1, border_rows_);
+  }
+  if (!walk_.done() || last_row_asked_) return;
+  last_row_asked_ = true;
+  for (int x = 1; x < width_ - 1; ++x) AskFull(x, height_ - 1);
+}
+
+void AdaptiveSampling::HandOutFull(size_t most, std::vector<Sample>* samples) {
+  while (!asks_.empty()) {
+    Ask& ask = asks_.front();
+    const int single = ask.y == 0 ? -1 : camera_.SingleSubCell(ask.x, ask.y);
+    for (; ask.sub_cell < cells_; ++ask.sub_cell) {
+      if (ask.sub_cell == single) continue;
+      if (samples->size() == most) return;
+      samples->push_back({ask.x, ask.y, static_cast<uint16_t>(ask.sub_cell), false});
+    }
+    asks_.pop_front();
+  }
+}
+
+void AdaptiveSampling::HandOutSingles(size_t most, std::vector<Sample>* samples) {
+  if (tile_next_ == size_t(tile_.width) * tile_.height) {
+    if (walk_.done()) return;
+    tile_ = walk_.Next(most);
+    tile_next_ = 0;
+  }
+  const size_t end = std::min(tile_next_ + most, size_t(tile_.width) * tile_.height);
+  for (; tile_next_ < end; ++tile_next_) {
+    const int x = tile_.x + static_cast<int>(tile_next_ % tile_.width);
+    const int y = tile_.y + static_cast<int>(tile_next_ / tile_.width);
+    samples->push_back({x, y, camera_.SingleSubCell(x, y), true});
+  }
+}
+
+// Full sets
+
+// The value of a full set, or null while results are missing.
+const PixelValue* AdaptiveSampling::FullValue(int x, int y) {
+  const auto found = sets_.find(index(x, y));
+  if (found == sets_.end()) return nullptr;
+  FullSet& set = found->second;
+  if (set.valued) return &set.value;
+  if (set.missing > 0 || (y > 0 && !is(x, y, kSingle))) return nullptr;
+
+  // The single sample first, then the others in the order of sub-cells.
+  const int single = y == 0 ? -1 : camera_.SingleSubCell(x, y);
+  PixelValue sum;
+  const auto add = [&sum](const PixelValue& v, double weight) {
+    sum.color += v.color * weight;
+    sum.alpha += v.alpha * weight;
+  };
+  if (single >= 0) {
+    const PixelValue& first = value(x, y);
+    sum = {first.color * weights_[single], first.alpha * weights_[single]};
+  }
+  for (int i = 0; i < cells_; ++i) {
+    if (i != single) add(set.results[i], weights_[i]);
+  }
+  sum.full = true;
+  set.value = sum;
+  set.valued = true;
+  std::vector<PixelValue>().swap(set.results);
+  return &set.value;
+}
+
+// REQUIRES: FullValue(x, y), or applied already.
+void AdaptiveSampling::ApplyFull(int x, int y) {
+  if (is(x, y, kFull)) return;
+  const PixelValue* full = FullValue(x, y);
+  CHECK(full != nullptr);
+  value(x, y) = *full;
+  flags_[index(x, y)] |= kFull;
+  sets_.erase(index(x, y));
+  ++supersampled_;
+  const int samples = y == 0 ? cells_ : cells_ - 1;
+  applied_samples_ += samples;
+  open_[y] -= samples;
+}
+
+// Replay
+
+void AdaptiveSampling::Replay() {
+  news_ = false;
+  while (!done_) {
+    if (entered_ <= std::min(row_ + 1, height_)) {
+      if (!EnterRow(entered_)) return;
+      ++entered_;
+    } else if (row_ < height_) {
+      if (!RefineRow(row_)) return;
+      ++row_;
+      in_vain_ += open_[row_ - 2];
+      decided_ = applied_samples_ + in_vain_;
+    } else {
+      if (!FinishLastRow()) return;
+      done_ = true;
+    }
+  }
+}
+
+bool AdaptiveSampling::EnterRow(int y) {
+  if (singles_missing_[y] > 0) return false;
+  const int step = y == 0 ? 1 : std::max(1, width_ - 1);
+  for (int x = 0; x < width_; x += step) {
+    if (FullValue(x, y) == nullptr) return false;
+  }
+  for (int x = 0; x < width_; x += step) ApplyFull(x, y);
+  return true;
+}
+
+// Goes on at x_; returns false where a full set has to be waited for.
+bool AdaptiveSampling::RefineRow(int y) {
+  for (;;) {
+    for (; x_ < width_ - 1; ++x_) {
+      const Cross cross = CrossAt(x_, y);
+      const Color* colors[5];
+      bool all_full = true;
+      for (int i = 0; i < 5; ++i) {
+        colors[i] = &value(cross.x[i], cross.y[i]).color;
+        all_full &= is(cross.x[i], cross.y[i], kFull);
+      }
+      if (all_full || !ContrastFires(colors, settings_.contrast)) continue;
+
+      bool known = true;
+      for (int i = 0; i < 5; ++i) {
+        if (is(cross.x[i], cross.y[i], kFull)) continue;
+        AskFull(cross.x[i], cross.y[i]);
+        known &= FullValue(cross.x[i], cross.y[i]) != nullptr;
+      }
+      if (!known) return false;
+      for (int i = 0; i < 5; ++i) ApplyFull(cross.x[i], cross.y[i]);
+      pass_changed_ = true;
+    }
+    x_ = 1;
+    if (!pass_changed_) return true;
+    pass_changed_ = false;
+  }
+}
+
+// The pixels of the last row that no test made full; of a picture of one row, all are.
+bool AdaptiveSampling::FinishLastRow() {
+  const int y = height_ - 1;
+  for (int x = 1; x < width_ - 1; ++x) {
+    if (!is(x, y, kFull) && FullValue(x, y) == nullptr) return false;
+  }
+  for (int x = 1; x < width_ - 1; ++x) ApplyFull(x, y);
+  return true;
+}
+
+}  // namespace rayshade

@@ -1,0 +1,150 @@
+// The camera of the generic build (rows from top to bottom) [rayshade4/1 s.7, 8.4-8.6]; see
+// camera.h. Expressions keep the order that the specification gives: the last bit of a ray decides
+// where it grazes.
+#include "rayshade/render/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "rayshade/common/keyed_random.h"
+#include "rayshade/render/sample_numbers.h"
+
+namespace rayshade {
+namespace {
+
+PictureWindow CroppedWindow(const Settings& s) {
+  const Window w = s.window.value_or(Window{0, s.width - 1, 0, s.height - 1});
+  Crop c = s.crop;
+  if (c.left > c.right) std::swap(c.left, c.right);
+  if (c.low > c.high) std::swap(c.low, c.high);
+  const double left = std::max(c.left, 0.0), right = std::min(c.right, 1.0);
+  const double low = std::max(c.low, 0.0), high = std::min(c.high, 1.0);
+  const double width = double(w.xmax) - w.xmin, height = double(w.ymax) - w.ymin;
+  PictureWindow cropped;
+  cropped.minx = static_cast<int>(w.xmin + left * width);
+  cropped.maxx = static_cast<int>(w.xmin + right * width);
+  cropped.miny = static_cast<int>(w.ymin + low * height);
+  cropped.maxy = static_cast<int>(w.ymin + high * height);
+  return cropped;
+}
+
+struct Axes {
+  Vector eye, to_look, direction, right, up;
+  double distance = 0;
+  bool valid = false;
+};
+
+Axes AxesFrom(const Vector& eye, const Vector& look, const Vector& up) {
+  Axes a;
+  a.eye = eye;
+  a.to_look = look - eye;
+  a.direction = a.to_look;
+  a.distance = Normalize(&a.direction);
+  a.right = Cross(a.direction, up);
+  a.valid = Normalize(&a.right) > 0 && a.distance > 0;
+  a.up = Cross(a.right, a.direction);
+  Normalize(&a.up);
+  return a;
+}
+
+Axes ViewAxes(const Settings& s) {
+  const Axes mono = AxesFrom(s.eye, s.look, s.up);
+  if (s.stereo == StereoEye::kNone || !mono.valid) return mono;
+  const double separation = s.eye_separation.value_or(0);
+  const double shift = s.stereo == StereoEye::kLeft ? -.5 * separation : .5 * separation;
+  return AxesFrom(s.eye + shift * mono.right, s.look, s.up);
+}
+
+}  // namespace
+
+Camera::Camera(const Settings& settings, int frame)
+    : settings_(settings), frame_(frame), window_(CroppedWindow(settings)) {
+  const Axes axes = ViewAxes(settings);
+  eye_ = axes.eye;
+  direction_ = axes.direction;
+  right_ = axes.right;
+  up_ = axes.up;
+  distance_ = axes.distance;
+
+  const double width = settings.width, height = settings.height;
+  const double vfov = settings.vfov.value_or(settings.hfov * height / width);
+  const double step_x = 2 * distance_ * std::tan(.5 * settings.hfov * kPi / 180) / width;
+  const double step_y = 2 * distance_ * std::tan(.5 * vfov * kPi / 180) / height;
+  step_x_ = step_x * right_;
+  step_y_ = (-step_y) * up_;
+  corner_ = axes.to_look - (.5 * height * step_y_ + .5 * width * step_x_);
+  frame_start_ = settings.start_time + frame * settings.frame_length;
+}
+
+uint16_t Camera::SingleSubCell(int x, int y) const {
+  const uint64_t key = SampleKey(settings_.seed, frame_, x + window_.minx, y + window_.miny, -1);
+  return static_cast<uint16_t>(KeyedRandom(key, RandomUse::kSubCell) * settings_.samples *
+                               settings_.samples);
+}
+
+Ray Camera::PrimaryRay(const Sample& sample) const {
+  const int n = settings_.samples;
+  const int px = sample.x + window_.minx, py = sample.y + window_.miny;
+  const int a = sample.sub_cell % n, b = sample.sub_cell / n;
+  Ray ray;
+  ray.key = SampleKey(settings_.seed, frame_, px, py, sample.sub_cell);
+  const auto random = [&ray](RandomUse use) { return KeyedRandom(ray.key, use); };
+
+  // Place on the screen: the low corner of the sub-cell, or anywhere in it.
+  const double width = settings_.filter_width_used();
+  const double cell = width * (1.0 / n);
+  double x = px - .5 * width, y = py - .5 * width;
+  if (sample.single) {
+    x += a * cell;
+    y += b * cell;
+  } else {
+    for (int i = 0; i < a; ++i) x += cell;
+    for (int i = 0; i < b; ++i) y += cell;
+  }
+  if (settings_.jitter) {
+    x += random(RandomUse::kJitterX) * cell;
+    y += random(RandomUse::kJitterY) * cell;
+  }
+  ray.origin = eye_;
+  ray.direction = Normalized(corner_ + x * step_x_ + y * step_y_);
+
+  // Moment and place on the lens, by the sub-cell's number.
+  const int number = SampleNumber(n, sample.sub_cell);
+  ray.sample_number = number;
+  ray.time = frame_start_;
+  if (settings_.shutter > 0) {
+    const double interval = settings_.shutter / (n * n);
+    ray.time =
+        frame_start_ + interval * (number + (settings_.jitter ? random(RandomUse::kTime) : 0));
+  }
+  if (settings_.aperture > 0) {
+    const double grid = 2 * (1.0 / n);
+    const double cx = random(RandomUse::kLensX) * grid - 1 + (number % n) * grid;
+    const double cy = random(RandomUse::kLensY) * grid - 1 + (number / n) * grid;
+    const Vector lens = (settings_.aperture * cx) * right_ + (settings_.aperture * cy) * up_;
+    const double focus = settings_.focal_distance.value_or(distance_);
+    ray.origin = lens + eye_;
+    ray.direction = Normalized(focus * ray.direction - lens);
+  }
+  return ray;
+}
+
+std::string CheckView(const Settings& s) {
+  if (s.stereo != StereoEye::kNone && !s.eye_separation) {
+    return "No eye separation specified for stereo rendering.";
+  }
+  const PictureWindow w = CroppedWindow(s);
+  if (s.width < 1 || s.height < 1 || w.minx < 0 || w.miny < 0 || w.maxx >= s.width ||
+      w.maxy >= s.height || w.width() < 1 || w.height() < 1) {
+    return "Invalid window specification.";
+  }
+  if (!ViewAxes(s).valid) return "The view and up directions are identical?";
+  if (s.samples < 1 || s.samples > 8) {
+    const long long n = s.samples;
+    return "Sorry, " + std::to_string(n * n) + " rays/pixel not supported.";
+  }
+  return "";
+}
+
+}  // namespace rayshade

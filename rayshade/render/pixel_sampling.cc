@@ -1,0 +1,97 @@
+// One sample per pixel is handled here, in tiles and with nothing kept but the picture [rayshade4/1
+// s.8.11]; more than one by AdaptiveSampling. See pixel_sampling.h.
+#include "rayshade/render/pixel_sampling.h"
+
+#include <algorithm>
+
+#include "rayshade/render/adaptive_sampling.h"
+#include "rayshade/render/tile_walk.h"
+
+namespace rayshade {
+
+struct PixelSampling::Impl {
+  Impl(const Settings& settings, const Camera& camera, bool ahead)
+      : camera(camera),
+        picture(camera.window().width(), camera.window().height()),
+        walk(picture.width(), 0, picture.height() + 1) {
+    if (settings.samples > 1) {
+      adaptive = std::make_unique<AdaptiveSampling>(settings, this->camera, ahead, &picture);
+    } else {
+      missing.assign(picture.height() + 1, picture.width());
+    }
+  }
+
+  std::vector<Sample> NextOfOne(size_t most) {
+    std::vector<Sample> samples;
+    if (tile_next == size_t(tile.width) * tile.height) {
+      if (walk.done()) return samples;
+      tile = walk.Next(most);
+      tile_next = 0;
+    }
+    const size_t end = std::min(tile_next + most, size_t(tile.width) * tile.height);
+    samples.reserve(end - tile_next);
+    for (; tile_next < end; ++tile_next) {
+      const int x = tile.x + static_cast<int>(tile_next % tile.width);
+      const int y = tile.y + static_cast<int>(tile_next / tile.width);
+      samples.push_back({x, y, 0, y > 0});
+    }
+    return samples;
+  }
+
+  void PutOfOne(const Sample& sample, const RayResult& result) {
+    if (sample.y < picture.height()) {
+      picture.at(sample.x, sample.y) = {result.color, result.hit ? 1.0 : 0.0, sample.y == 0};
+    }
+    if (--missing[sample.y] > 0) return;
+    while (rows < static_cast<int>(missing.size()) && missing[rows] == 0) ++rows;
+  }
+
+  // The border counts as supersampled although it costs nothing; the ends of the extra row as well.
+  uint64_t BorderPixels() const {
+    const uint64_t w = picture.width(), h = picture.height();
+    const uint64_t ends = std::min<uint64_t>(w, 2) * h;
+    return w + ends + (h > 1 && w > 2 ? w - 2 : 0);
+  }
+
+  Camera camera;
+  Picture picture;
+  std::unique_ptr<AdaptiveSampling> adaptive;  // null: one sample per pixel
+  TileWalk walk;
+  Tile tile;
+  size_t tile_next = 0;      // in tile
+  std::vector<int> missing;  // samples by row, the extra row included
+  int rows = 0;              // complete rows from the top, the extra row included
+};
+
+PixelSampling::PixelSampling(const Settings& settings, const Camera& camera, bool ahead)
+    : impl_(std::make_unique<Impl>(settings, camera, ahead)) {}
+PixelSampling::~PixelSampling() = default;
+
+std::vector<Sample> PixelSampling::Next(size_t most) {
+  return impl_->adaptive ? impl_->adaptive->Next(most) : impl_->NextOfOne(most);
+}
+
+void PixelSampling::Put(const Sample& sample, const RayResult& result) {
+  if (impl_->adaptive) {
+    impl_->adaptive->Put(sample, result);
+  } else {
+    impl_->PutOfOne(sample, result);
+  }
+}
+
+bool PixelSampling::done() const {
+  return impl_->adaptive ? impl_->adaptive->done() : impl_->rows > impl_->picture.height();
+}
+int PixelSampling::rows_done() const {
+  return impl_->adaptive ? impl_->adaptive->rows_done()
+                         : std::min(impl_->rows, impl_->picture.height());
+}
+const Picture& PixelSampling::picture() const { return impl_->picture; }
+uint64_t PixelSampling::supersampled_pixels() const {
+  return impl_->adaptive ? impl_->adaptive->supersampled_pixels() : impl_->BorderPixels();
+}
+uint64_t PixelSampling::speculative_samples() const {
+  return impl_->adaptive ? impl_->adaptive->speculative_samples() : 0;
+}
+
+}  // namespace rayshade

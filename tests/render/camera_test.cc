@@ -1,0 +1,128 @@
+// Camera [rayshade4/1 s.7, 8.4-8.6, 14.6].
+#include "rayshade/render/camera.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "rayshade/render/sample_numbers.h"
+
+namespace rayshade {
+namespace {
+
+Settings Small(int width, int height) {
+  Settings settings;
+  settings.width = width;
+  settings.height = height;
+  settings.samples = 1;
+  settings.jitter = false;
+  return settings;
+}
+
+PictureWindow WindowOf(const Settings& settings) { return Camera(settings, 0).window(); }
+
+TEST(Camera, CropsInsideTheWindow) {
+  Settings settings = Small(10, 10);
+  settings.window = Window{2, 7, 1, 8};
+  settings.crop = {.8, .2, -1, 1.5};
+  EXPECT_EQ(WindowOf(settings).minx, 3);
+  EXPECT_EQ(WindowOf(settings).maxx, 6);
+  EXPECT_EQ(WindowOf(settings).miny, 1);
+  EXPECT_EQ(WindowOf(settings).maxy, 8);
+}
+
+TEST(Camera, ShootsThroughTheLowCornerOfAPixel) {
+  const Camera camera(Small(8, 8), 0);
+  // The optical axis meets the screen at (4, 4), the centre of pixel 4: half a pixel from its
+  // corner.
+  const Ray ray = camera.PrimaryRay({4, 4, 0, true});
+  const double half_pixel = std::tan(22.5 * kPi / 180) / 8;
+  EXPECT_NEAR(ray.direction.x / ray.direction.y, -half_pixel, 1e-12);
+  EXPECT_NEAR(ray.direction.z / ray.direction.y, half_pixel, 1e-12);
+  EXPECT_EQ(ray.origin, (Vector{0, -10, 0}));
+}
+
+TEST(Camera, CroppingDoesNotChangeTheRaysThatAreKept) {
+  Settings whole = Small(20, 20), cropped = Small(20, 20);
+  whole.jitter = cropped.jitter = true;
+  cropped.window = Window{5, 15, 7, 18};
+  EXPECT_EQ(Camera(whole, 0).PrimaryRay({9, 11, 0, true}).direction,
+            Camera(cropped, 0).PrimaryRay({4, 4, 0, true}).direction);
+}
+
+TEST(Camera, TurnsTheEyesTowardsTheLookPoint) {
+  Settings settings = Small(8, 8);
+  settings.stereo = StereoEye::kLeft;
+  settings.eye_separation = 2;
+  EXPECT_EQ(Camera(settings, 0).eye(), (Vector{-1, -10, 0}));
+  settings.stereo = StereoEye::kRight;
+  EXPECT_EQ(Camera(settings, 0).eye(), (Vector{1, -10, 0}));
+}
+
+TEST(Camera, SpreadsSampleTimesOverTheShutterInterval) {
+  Settings settings = Small(8, 8);
+  settings.samples = 3;
+  settings.shutter = .9;
+  settings.start_time = 5;
+  const Camera camera(settings, 2);
+  // Sub-cell 2 of 3 x 3 has number 7.
+  EXPECT_NEAR(camera.PrimaryRay({1, 1, 2, false}).time, 7 + 7 * .1, 1e-12);
+  EXPECT_EQ(camera.PrimaryRay({1, 1, 2, false}).sample_number, 7u);
+}
+
+TEST(Camera, FocusesOnASphereThroughASquareLens) {
+  Settings settings = Small(64, 64);
+  settings.samples = 4;
+  settings.aperture = .5;
+  settings.focal_distance = 6;
+  const Camera lens(settings, 0);
+  settings.aperture = 0;
+  const Camera pinhole(settings, 0);
+  for (uint16_t cell = 0; cell < 16; ++cell) {
+    const Sample sample{10, 20, cell, false};
+    const Ray ray = lens.PrimaryRay(sample), straight = pinhole.PrimaryRay(sample);
+    const Vector moved = ray.origin - straight.origin;
+    EXPECT_LE(std::fabs(moved.x), .5);
+    EXPECT_LE(std::fabs(moved.z), .5);
+    const Vector focus = straight.origin + 6 * straight.direction;
+    const Vector to_focus = focus - ray.origin;
+    EXPECT_NEAR(Length(Cross(to_focus, ray.direction)), 0, 1e-12);
+  }
+}
+
+TEST(SampleNumber, UsesEachNumberOnce) {
+  for (int n = 1; n <= 8; ++n) {
+    const int first = n >= 6 ? 1 : 0;
+    std::vector<bool> used(n * n);
+    for (int i = 0; i < n * n; ++i) {
+      const int number = SampleNumber(n, i) - first;
+      ASSERT_GE(number, 0);
+      ASSERT_LT(number, n * n);
+      EXPECT_FALSE(used[number]);
+      used[number] = true;
+    }
+  }
+}
+
+TEST(CheckView, SaysWhatIsWrongInRayshadesWords) {
+  EXPECT_EQ(CheckView(Small(8, 8)), "");
+  Settings settings = Small(8, 8);
+  settings.samples = 9;
+  EXPECT_EQ(CheckView(settings), "Sorry, 81 rays/pixel not supported.");
+  settings.samples = 0;
+  EXPECT_EQ(CheckView(settings), "Sorry, 0 rays/pixel not supported.");
+  settings = Small(8, 8);
+  settings.eye = {0, 0, 5};
+  EXPECT_EQ(CheckView(settings), "The view and up directions are identical?");
+  settings.eye = {0, 0, 0};
+  EXPECT_EQ(CheckView(settings), "The view and up directions are identical?");
+  settings = Small(4, 4);
+  settings.window = Window{0, 1, 0, 5};
+  EXPECT_EQ(CheckView(settings), "Invalid window specification.");
+  settings = Small(8, 8);
+  settings.stereo = StereoEye::kLeft;
+  EXPECT_EQ(CheckView(settings), "No eye separation specified for stereo rendering.");
+}
+
+}  // namespace
+}  // namespace rayshade
