@@ -39,8 +39,13 @@ struct Placement {
 bool ToObject(const Placement& placement, const ObjectRay& world, double min_distance,
               double max_distance, ObjectRay* object, double* scale);
 
-// World bounds of an object with these own-space bounds, grown as Rayshade grows them [rayshade4/2
-// s.2.2]. Animated links: over [open, close] at `samples` moments and both ends.
+// The box of an object around which these attributes stand, in the space outside of it; own: its
+// box inside. Grown as Rayshade grows boxes [rayshade4/2 s.2.2]. Animated transformations: the
+// union over kBoundsMoments moments spread evenly over the interval and both of its ends.
+inline constexpr int kBoundsMoments = 100;
+Bounds OuterBounds(const Attributes& attributes, const Bounds& own, const ShutterInterval& shutter);
+
+// World bounds of a placed object with these own-space bounds: OuterBounds level by level.
 Bounds WorldBounds(const Placement& placement, const Bounds& own, const ShutterInterval& shutter);
 
 }  // namespace rayshade

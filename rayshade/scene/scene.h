@@ -22,7 +22,13 @@ struct SceneSpec {
   std::vector<LightSpec> lights;  // in file order
   Atmosphere atmosphere;
   std::vector<Placement> placements;
+  // Some member of a CSG object has a surface of its own that lets shadow rays through (the
+  // placements do not show the surfaces inside of composites).
+  bool transparent_inside = false;
 };
+
+// The moments that frame `frame` covers [rayshade4/1 s.5.9].
+ShutterInterval FrameShutter(const Settings& settings, int frame);
 
 struct Scene {
   // Builds textures and lights; adds the default directional light where the file has none
@@ -31,7 +37,9 @@ struct Scene {
 
   SceneSpec spec;
   std::vector<std::unique_ptr<const Texture>> textures;
-  std::vector<std::unique_ptr<const Light>> lights;  // in visiting order: last declared first
+  // In visiting order: last declared first. Lights of zero intensity are left out where no surface
+  // is translucent: nothing could tell that they are there.
+  std::vector<std::unique_ptr<const Light>> lights;
   Surface default_surface;
   bool any_transparent = false;  // some surface in use may let shadow rays through
   ShutterInterval shutter;       // of this frame

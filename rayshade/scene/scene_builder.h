@@ -27,8 +27,8 @@ class SceneBuilder : public SceneSink {
   DefinitionId EndDefinition() override;
   void OnSettings(const Settings& settings) override;
 
-  // After parsing: scene and objects of one frame, ready to trace. May be called for several
-  // frames.
+  // After parsing: scene and objects of one frame, ready to trace. May be called once, or, where
+  // the settings say that there is more than one frame, for each of them.
   struct Built {
     std::unique_ptr<Scene> scene;
     std::unique_ptr<ObjectSet> objects;

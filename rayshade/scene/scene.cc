@@ -1,0 +1,62 @@
+// Building what a scene's specification describes; see scene.h.
+#include "rayshade/scene/scene.h"
+
+#include <algorithm>
+
+namespace rayshade {
+namespace {
+
+bool LetsLightThrough(const Surface& surface) { return surface.transp >= kEpsilon; }
+
+// Some placed object, or something inside of one, may let shadow rays through.
+bool AnyTransparent(const SceneSpec& spec) {
+  return spec.transparent_inside ||
+         std::any_of(spec.placements.begin(), spec.placements.end(), [&](const Placement& p) {
+           return p.surface != kNoSurface && LetsLightThrough(spec.surfaces[p.surface]);
+         });
+}
+
+bool AnyTranslucent(const SceneSpec& spec) {
+  return std::any_of(spec.surfaces.begin(), spec.surfaces.end(),
+                     [](const Surface& s) { return !(s.translucency < kEpsilon); });
+}
+
+}  // namespace
+
+ShutterInterval FrameShutter(const Settings& settings, int frame) {
+  const double open = settings.start_time + frame * settings.frame_length;
+  return {static_cast<double>(frame), open, open + std::max(settings.shutter, 0.0)};
+}
+
+Scene::Scene(SceneSpec written, int frame) : spec(std::move(written)) {
+  for (const TextureSpec& texture : spec.textures) {
+    textures.push_back(MakeTexture(texture, spec.surfaces));
+  }
+  const bool keep_dark = AnyTranslucent(spec);
+  for (auto light = spec.lights.rbegin(); light != spec.lights.rend(); ++light) {
+    if (light->intensity != Color{} || keep_dark) lights.push_back(MakeLight(*light));
+  }
+  if (spec.lights.empty()) {
+    lights.push_back(MakeLight({{1, 1, 1}, false, DirectionalLightSpec{{1, -1, 1}}}));
+  }
+  default_surface = DefaultSurface();
+  any_transparent = AnyTransparent(spec);
+  shutter = FrameShutter(spec.settings, frame);
+}
+
+size_t Scene::bytes() const {
+  size_t bytes = sizeof(Scene) + spec.surfaces.capacity() * sizeof(Surface) +
+                 spec.textures.capacity() * sizeof(TextureSpec) +
+                 spec.lights.capacity() * (sizeof(LightSpec) + sizeof(LightSpec)) +
+                 spec.placements.capacity() * sizeof(Placement);
+  for (const auto& texture : textures) bytes += texture->bytes();
+  for (const Placement& placement : spec.placements) {
+    for (const PathLevel& level : placement.levels) {
+      bytes += sizeof(PathLevel) + level.attributes.transforms.size() * sizeof(TransformLink) +
+               level.attributes.textures.capacity() * sizeof(TextureId);
+    }
+  }
+  return bytes;
+}
+
+}  // namespace rayshade
