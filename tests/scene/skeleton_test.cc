@@ -213,7 +213,7 @@ TEST_F(SkeletonTest, PathsRunFromTheObjectOutwards) {
   }
 }
 
-TEST_F(SkeletonTest, AMillionLikeObjectsHaveOneRunAndOnePlacement) {
+TEST_F(SkeletonTest, ThousandsOfLikeObjectsHaveOneRunAndTwoPlacements) {
   const SurfaceId red = skeleton.AddSurface({}), blue = skeleton.AddSurface({});
   Begin(AggregateKind::kGrid);
   for (int i = 0; i < 3000; ++i) Sphere(i, i % 2 ? red : blue);
