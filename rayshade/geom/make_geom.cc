@@ -2,13 +2,17 @@
 #include "rayshade/geom/make_geom.h"
 
 #include "rayshade/common/check.h"
+#include "rayshade/geom/blob.h"
 #include "rayshade/geom/box.h"
 #include "rayshade/geom/cone.h"
 #include "rayshade/geom/cylinder.h"
 #include "rayshade/geom/disc.h"
+#include "rayshade/geom/heightfield.h"
+#include "rayshade/geom/phong_triangle.h"
 #include "rayshade/geom/plane.h"
 #include "rayshade/geom/polygon.h"
 #include "rayshade/geom/sphere.h"
+#include "rayshade/geom/torus.h"
 #include "rayshade/geom/triangle.h"
 
 namespace rayshade {
