@@ -103,7 +103,7 @@ inline void DrawPlant(Drawing* draw, const Frame& plant) {
   draw->Disc(plant, 0.172, {0, 0, 0.33}, {0, 0, 1});
   draw->Use("leaf");
   for (int i = 0; i < 110; ++i) {
-    const double turn = 137.5 * i, reach = 0.18 + 0.0042 * i, height = 1.25 - 0.0068 * i;
+    const double turn = 137.5 * i, reach = 0.18 + 0.0028 * i, height = 1.25 - 0.0068 * i;
     const Frame leaf = plant.Turned(turn);
     Vector left{0.02, 0.012, 0.33}, right{0.02, -0.012, 0.33};
     for (int part = 1; part <= 5; ++part) {
