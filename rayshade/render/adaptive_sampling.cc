@@ -5,6 +5,7 @@
 
 #include "rayshade/common/check.h"
 #include "rayshade/render/pixel_filter.h"
+#include "rayshade/render/saved_bytes.h"
 
 namespace rayshade {
 
@@ -30,13 +31,17 @@ AdaptiveSampling::AdaptiveSampling(const Settings& settings, const Camera& camer
 
 std::vector<Sample> AdaptiveSampling::Next(size_t most) {
   std::vector<Sample> samples;
-  if (news_) Replay();
-  if (asks_.empty() && tile_next_ == size_t(tile_.width) * tile_.height) AskBorder();
-  if (ahead_ && walk_.done() && asks_.size() * cells_ < most) Guess();
-  if (!asks_.empty()) {
-    HandOutFull(most, &samples);
-  } else {
+  for (;;) {
+    if (news_) Replay();
+    if (tile_done()) AskBorder();
+    if (ahead_ && walk_.done() && asks_.size() * cells_ < most) Guess();
+    if (!asks_.empty()) {
+      HandOutFull(most, &samples);
+      break;
+    }
+    if (tile_done() && walk_.done()) break;
     HandOutSingles(most, &samples);
+    if (!samples.empty()) break;  // a tile may be known already
   }
   samples_handed_ += samples.size();
   return samples;
@@ -66,7 +71,7 @@ void AdaptiveSampling::Put(const Sample& sample, const RayResult& result) {
 // Asking
 
 void AdaptiveSampling::AskFull(int x, int y) {
-  if (is(x, y, kAsked)) return;
+  if (is(x, y, kAsked) || is(x, y, kFull)) return;
   flags_[index(x, y)] |= kAsked;
   FullSet& set = sets_[index(x, y)];
   set.missing = y == 0 ? cells_ : cells_ - 1;
@@ -101,16 +106,14 @@ void AdaptiveSampling::HandOutFull(size_t most, std::vector<Sample>* samples) {
 }
 
 void AdaptiveSampling::HandOutSingles(size_t most, std::vector<Sample>* samples) {
-  if (tile_next_ == size_t(tile_.width) * tile_.height) {
-    if (walk_.done()) return;
+  if (tile_done()) {
     tile_ = walk_.Next(most);
     tile_next_ = 0;
   }
-  const size_t end = std::min(tile_next_ + most, size_t(tile_.width) * tile_.height);
-  for (; tile_next_ < end; ++tile_next_) {
+  for (; !tile_done() && samples->size() < most; ++tile_next_) {
     const int x = tile_.x + static_cast<int>(tile_next_ % tile_.width);
     const int y = tile_.y + static_cast<int>(tile_next_ / tile_.width);
-    samples->push_back({x, y, camera_.SingleSubCell(x, y), true});
+    if (!is(x, y, kSingle)) samples->push_back({x, y, camera_.SingleSubCell(x, y), true});
   }
 }
 
@@ -183,7 +186,7 @@ bool AdaptiveSampling::EnterRow(int y) {
   if (singles_missing_[y] > 0) return false;
   const int step = y == 0 ? 1 : std::max(1, width_ - 1);
   for (int x = 0; x < width_; x += step) {
-    if (FullValue(x, y) == nullptr) return false;
+    if (!is(x, y, kFull) && FullValue(x, y) == nullptr) return false;
   }
   for (int x = 0; x < width_; x += step) ApplyFull(x, y);
   return true;
@@ -225,6 +228,59 @@ bool AdaptiveSampling::FinishLastRow() {
     if (!is(x, y, kFull) && FullValue(x, y) == nullptr) return false;
   }
   for (int x = 1; x < width_ - 1; ++x) ApplyFull(x, y);
+  return true;
+}
+
+// Half of the work is thought to be in the singles.
+double AdaptiveSampling::fraction_done() const {
+  const double rows = height_;
+  return .5 * (walk_.rows_begun() - 1) / rows + .5 * rows_done() / rows;
+}
+
+// Cutting short and going on: values, and where the replay stands. Full sets under way are
+// forgotten.
+
+std::string AdaptiveSampling::Save() const {
+  ByteWriter out;
+  out.Put(row_);
+  out.Put(x_);
+  out.Put(entered_);
+  out.Put(static_cast<uint8_t>(pass_changed_));
+  out.Put(supersampled_);
+  for (const uint8_t flags : flags_) out.Put(static_cast<uint8_t>(flags & (kSingle | kFull)));
+  for (int y = 0; y <= height_; ++y) out.PutRow(&value(0, y), width_);
+  return out.bytes();
+}
+
+bool AdaptiveSampling::Restore(const std::string& bytes) {
+  ByteReader in(bytes);
+  const int row = in.Get<int>(), x = in.Get<int>(), entered = in.Get<int>();
+  if (row < 1 || row > height_ || x < 1 || x > std::max(width_, 1) || entered < 0 ||
+      entered > height_ + 1) {
+    return false;
+  }
+  const uint8_t pass_changed = in.Get<uint8_t>();
+  const uint64_t supersampled = in.Get<uint64_t>();
+  if (!in.Holds(flags_.size() * (1 + kSavedPixelBytes))) return false;
+
+  row_ = row;
+  x_ = x;
+  entered_ = entered;
+  pass_changed_ = pass_changed != 0;
+  supersampled_ = supersampled;
+  asks_.clear();
+  sets_.clear();
+  asked_samples_ = 0;
+  std::fill(open_.begin(), open_.end(), 0);
+  for (uint8_t& flags : flags_) flags = in.Get<uint8_t>() & (kSingle | kFull);
+  for (int y = 0; y <= height_; ++y) {
+    in.GetRow(&value(0, y), width_);
+    singles_missing_[y] = 0;
+    for (int i = 0; i < width_ && y > 0; ++i) singles_missing_[y] += !is(i, y, kSingle);
+    for (int i = 0; i < width_ && ahead_; ++i) Unsettle(i, y);
+  }
+  for (int i = 0; i < width_; ++i) AskFull(i, 0);
+  news_ = true;
   return true;
 }
 

@@ -17,6 +17,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -37,6 +38,9 @@ class AdaptiveSampling {
   void Put(const Sample& sample, const RayResult& result);
   bool done() const { return done_; }
   int rows_done() const { return done_ ? height_ : row_ - 1; }
+  double fraction_done() const;
+  std::string Save() const;
+  bool Restore(const std::string& bytes);
   uint64_t supersampled_pixels() const { return supersampled_; }
   uint64_t speculative_samples() const { return asked_samples_ - applied_samples_; }
 
@@ -60,10 +64,14 @@ class AdaptiveSampling {
   };
 
   size_t index(int x, int y) const { return size_t(y) * width_ + x; }
+  const PixelValue& value(int x, int y) const {
+    return y < height_ ? picture_->at(x, y) : extra_row_[x];
+  }
   PixelValue& value(int x, int y) { return y < height_ ? picture_->at(x, y) : extra_row_[x]; }
   bool is(int x, int y, Flag flag) const { return flags_[index(x, y)] & flag; }
   static Cross CrossAt(int x, int y) { return {{x - 1, x, x + 1, x, x}, {y, y - 1, y, y + 1, y}}; }
 
+  bool tile_done() const { return tile_next_ == size_t(tile_.width) * tile_.height; }
   void AskFull(int x, int y);
   const PixelValue* FullValue(int x, int y);
   void ApplyFull(int x, int y);

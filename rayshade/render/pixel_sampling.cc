@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "rayshade/render/adaptive_sampling.h"
+#include "rayshade/render/saved_bytes.h"
 #include "rayshade/render/tile_walk.h"
 
 namespace rayshade {
@@ -42,8 +43,34 @@ struct PixelSampling::Impl {
     if (sample.y < picture.height()) {
       picture.at(sample.x, sample.y) = {result.color, result.hit ? 1.0 : 0.0, sample.y == 0};
     }
+    ++put;
     if (--missing[sample.y] > 0) return;
     while (rows < static_cast<int>(missing.size()) && missing[rows] == 0) ++rows;
+  }
+
+  // Complete rows.
+  std::string SaveOfOne() const {
+    ByteWriter out;
+    const int whole = std::min(rows, picture.height());
+    out.Put(whole);
+    for (int y = 0; y < whole; ++y) out.PutRow(&picture.at(0, y), picture.width());
+    return out.bytes();
+  }
+
+  bool RestoreOfOne(const std::string& bytes) {
+    ByteReader in(bytes);
+    if (!in.Holds(sizeof(int))) return false;
+    const int whole = in.Get<int>();
+    if (whole < 0 || whole > picture.height()) return false;
+    if (!in.Holds(uint64_t(whole) * picture.width() * kSavedPixelBytes)) return false;
+    for (int y = 0; y < whole; ++y) {
+      in.GetRow(&picture.at(0, y), picture.width());
+      missing[y] = 0;
+    }
+    rows = whole;
+    put = uint64_t(whole) * picture.width();
+    walk = TileWalk(picture.width(), whole, picture.height() + 1);
+    return true;
   }
 
   // The border counts as supersampled although it costs nothing; the ends of the extra row as well.
@@ -61,6 +88,7 @@ struct PixelSampling::Impl {
   size_t tile_next = 0;      // in tile
   std::vector<int> missing;  // samples by row, the extra row included
   int rows = 0;              // complete rows from the top, the extra row included
+  uint64_t put = 0;          // samples
 };
 
 PixelSampling::PixelSampling(const Settings& settings, const Camera& camera, bool ahead)
@@ -86,12 +114,24 @@ int PixelSampling::rows_done() const {
   return impl_->adaptive ? impl_->adaptive->rows_done()
                          : std::min(impl_->rows, impl_->picture.height());
 }
+double PixelSampling::fraction_done() const {
+  const Impl& m = *impl_;
+  if (m.adaptive) return m.adaptive->fraction_done();
+  return double(m.put) / (double(m.picture.width()) * (m.picture.height() + 1));
+}
 const Picture& PixelSampling::picture() const { return impl_->picture; }
 uint64_t PixelSampling::supersampled_pixels() const {
   return impl_->adaptive ? impl_->adaptive->supersampled_pixels() : impl_->BorderPixels();
 }
 uint64_t PixelSampling::speculative_samples() const {
   return impl_->adaptive ? impl_->adaptive->speculative_samples() : 0;
+}
+
+std::string PixelSampling::Save() const {
+  return impl_->adaptive ? impl_->adaptive->Save() : impl_->SaveOfOne();
+}
+bool PixelSampling::Restore(const std::string& bytes) {
+  return impl_->adaptive ? impl_->adaptive->Restore(bytes) : impl_->RestoreOfOne(bytes);
 }
 
 }  // namespace rayshade

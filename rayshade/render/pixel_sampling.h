@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "rayshade/image/picture.h"
@@ -34,11 +35,19 @@ class PixelSampling {
   // The result of a sample that Next gave, each once.
   void Put(const Sample& sample, const RayResult& result);
 
-  bool done() const;      // every pixel of the picture is final
-  int rows_done() const;  // final rows, from the top
+  bool done() const;             // every pixel of the picture is final
+  int rows_done() const;         // final rows, from the top
+  double fraction_done() const;  // an estimate, 0 to 1
   const Picture& picture() const;
   uint64_t supersampled_pixels() const;
   uint64_t speculative_samples() const;  // known when done
+
+  // What has been reached, as bytes: a picture that was cut short goes on from there, to the same
+  // end.
+  std::string Save() const;
+  // REQUIRES: nothing asked for yet, and the settings that Save was called with. False where the
+  // bytes are not such a state; then nothing has changed.
+  bool Restore(const std::string& bytes);
 
  private:
   struct Impl;

@@ -169,6 +169,8 @@ void SceneBuilder::OnSettings(const Settings& settings) {
   if (impl_->several_frames) impl_->store.HoldAll();
 }
 
+const Settings& SceneBuilder::settings() const { return impl_->skeleton.settings(); }
+
 SceneBuilder::Built SceneBuilder::Build(int frame) {
   Built built;
   built.scene =

@@ -27,6 +27,9 @@ class SceneBuilder : public SceneSink {
   DefinitionId EndDefinition() override;
   void OnSettings(const Settings& settings) override;
 
+  // After parsing: what file and command line say together.
+  const Settings& settings() const;
+
   // After parsing: scene and objects of one frame, ready to trace. May be called once, or, where
   // the settings say that there is more than one frame, for each of them.
   struct Built {

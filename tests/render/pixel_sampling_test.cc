@@ -196,5 +196,46 @@ TEST(PixelSampling, MakesTheSamePictureAheadWithFewSamplesInVain) {
   }
 }
 
+TEST(PixelSampling, GoesOnToTheSamePictureAfterBeingCutShort) {
+  for (const int n : {1, 3}) {
+    const Settings settings = Base(n, true);
+    const Camera camera(settings, 0);
+    const PlainSampler plain = Keyed(settings);
+    for (const int cut : {0, 1, 3, 8, 40, 90}) {
+      std::string saved;
+      PixelSampling first(settings, camera, false);
+      for (int i = 0; i < cut && !first.done(); ++i) {
+        for (const Sample& s : first.Next(100)) {
+          first.Put(s, TraceTwoSpheres(camera.PrimaryRay(s)));
+        }
+      }
+      PixelSampling second(settings, camera, false);
+      ASSERT_TRUE(second.Restore(first.Save()));
+      while (!second.done()) {
+        for (const Sample& s : second.Next(100)) {
+          second.Put(s, TraceTwoSpheres(camera.PrimaryRay(s)));
+        }
+      }
+      EXPECT_TRUE(Same(second.picture(), plain)) << n << " cut at " << cut;
+      EXPECT_EQ(second.supersampled_pixels(), uint64_t(plain.supersampled()));
+    }
+  }
+}
+
+TEST(PixelSampling, RefusesASavedStateThatIsCutShortItself) {
+  for (const int n : {1, 3}) {
+    const Settings settings = Base(n, true);
+    const Camera camera(settings, 0);
+    PixelSampling sampling(settings, camera, false);
+    while (!sampling.done()) {
+      for (const Sample& s : sampling.Next(1024)) sampling.Put(s, {});
+    }
+    const std::string bytes = sampling.Save();
+    PixelSampling other(settings, camera, false);
+    EXPECT_FALSE(other.Restore(bytes.substr(0, bytes.size() - 1)));
+    EXPECT_FALSE(other.Restore(""));
+  }
+}
+
 }  // namespace
 }  // namespace rayshade
