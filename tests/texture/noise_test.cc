@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "rayshade/texture/texture.h"
+
 namespace rayshade {
 namespace {
 
@@ -117,6 +119,19 @@ TEST(Noise, VectorSumAgreesWithTheOriginalAtAllSamples) {
     EXPECT_NEAR(v.x, s.vfbm.x, kTolerance);
     EXPECT_NEAR(v.y, s.vfbm.y, kTolerance);
     EXPECT_NEAR(v.z, s.vfbm.z, kTolerance);
+  }
+}
+
+TEST(Marble, VeinsAgreeWithTheOriginalAtAllSamples) {
+  const auto marble = MakeTexture({MarbleSpec{}, {}}, {});
+  for (const Sample& s : kSamples) {
+    TextureHit hit;
+    hit.point = s.p;
+    hit.surface.diffuse = {1, .5, 0};
+    marble->Apply(&hit);
+    EXPECT_NEAR(hit.surface.diffuse.r, s.marble, kTolerance);
+    EXPECT_NEAR(hit.surface.diffuse.g, .5 * s.marble, kTolerance);
+    EXPECT_EQ(hit.surface.diffuse.b, 0);
   }
 }
 
