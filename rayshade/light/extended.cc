@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "rayshade/common/coordinate_system.h"
 #include "rayshade/common/keyed_random.h"
+#include "rayshade/geom/unit.h"
 #include "rayshade/light/point.h"
 
 namespace rayshade {
@@ -26,10 +26,10 @@ std::optional<LightArrival> ExtendedLight::Arrive(const Vector& point, const Lig
 
   // The square stands across the way to the centre.
   const Vector to_center = center_ - point;
-  const CrossAxes axes = AxesAcross(to_center);
+  const AxisPair axes = AxesAcross(to_center);
   LightArrival arrival;
   arrival.color = intensity();
-  arrival.shadow_direction = to_center + u * axes.u + v * axes.w;
+  arrival.shadow_direction = to_center + u * axes.u + v * axes.v;
   arrival.shadow_distance = Normalize(&arrival.shadow_direction);
   return arrival;
 }

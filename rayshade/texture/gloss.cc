@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "rayshade/common/coordinate_system.h"
 #include "rayshade/common/keyed_random.h"
+#include "rayshade/geom/unit.h"
 
 namespace rayshade {
 
@@ -17,8 +17,8 @@ void GlossTexture::Apply(TextureHit* hit) const {
   const double a = random(0) * cell - 1.0 + (hit->sample_number % n) * cell;
   const double b = random(1) * cell - 1.0 + (hit->sample_number / n) * cell;
   const double r = 1.0 - gloss_;
-  const CrossAxes axes = AxesAcross(hit->normal);
-  hit->normal = Normalized(hit->normal + r * a * axes.u + r * b * axes.w);
+  const AxisPair axes = AxesAcross(hit->normal);
+  hit->normal = Normalized(hit->normal + r * a * axes.u + r * b * axes.v);
 }
 
 size_t GlossTexture::bytes() const { return sizeof(*this) + space().bytes(); }
