@@ -44,13 +44,14 @@ PROGRAMS := $(BUILD)/rayshade $(patsubst scenes/%.cc,$(BUILD)/%,$(wildcard scene
   $(if $(wildcard parallel/pvm/trace_main.cc),$(BUILD)/prayshade-trace) \
   $(if $(wildcard parallel/sim/sim_main.cc),$(BUILD)/prayshade-sim)
 
-.PHONY: all deps demo test help clean
+.PHONY: all deps demo test reference help clean
 all: $(PROGRAMS)
 
 help:
 	@echo "make            build all programs under build/"
 	@echo "make demo       build, render the balls by every schedule on a private virtual machine, print a table"
 	@echo "make test       build and run every test"
+	@echo "make reference  compare with the pictures of the original program"
 	@echo "make deps       install what is missing for all of this (apt-get; root or sudo)"
 	@echo "make clean      remove build/"
 
@@ -107,6 +108,16 @@ demo:
 test:
 	@$(MAKE) --no-print-directory $(ALL_CORES) $(BUILD)/unit_tests all
 	@tests/support/run_tests.sh $(BUILD) '$(TEST_FILTER)'
+
+# Every scene of the reference set beside the original's picture; SEEDS=0 leaves the random ones out.
+REFERENCE ?= $(or $(RAYSHADE_SHARED),../shared)/reference/public
+SEEDS ?= 100
+$(BUILD)/compare_reference: $(OBJ)/tests/pictures/reference_main.o $(CORE_LIB)
+	$(LINK)
+reference: $(BUILD)/compare_reference $(BUILD)/rayshade
+	@mkdir -p $(BUILD)/reference
+	@$(BUILD)/compare_reference $(abspath $(BUILD)/rayshade) $(abspath $(REFERENCE)) \
+	  $(abspath $(BUILD)/reference) --seeds $(SEEDS) $(SCENES)
 
 clean:
 	rm -rf build
