@@ -15,7 +15,7 @@ constexpr double kLnHalf = -0.69314718;  // eight digits, as in Rayshade [raysha
 double Left(double distance, double half_distance) {
   if (half_distance < kEpsilon) return 0;
   const double power = kLnHalf * distance / half_distance;
-  return power < -10.0 ? 0 : std::exp(power);
+  return power >= -10.0 ? std::exp(power) : 0;  // NaN: nothing is left
 }
 
 Color Mix(const Color& color, const Color& fog, const Color& half_distance, double distance) {

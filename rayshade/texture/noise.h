@@ -3,7 +3,7 @@
 //
 //   1. Period 4096 in each direction. Defined for all arguments: where Rayshade's conversion to an
 //   integer would overflow, the argument is wrapped into the period, and NaN counts as 0.
-//   2. No more octaves than 0 gives 0.
+//   2. A sum over no octaves, or over fewer, is 0.
 #pragma once
 
 #include <array>

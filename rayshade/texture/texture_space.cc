@@ -19,6 +19,7 @@ double Clamped(double x) {
 }
 
 const Color& MapEntry(const ColorMap& map, double index) {
+  CHECK(map.size() == 256);
   return map[std::clamp(Truncated(index), 0, 255)];
 }
 
@@ -40,7 +41,9 @@ Transform TextureSpace::At(const Moment& moment) const {
 }
 
 Vector TextureSpace::PointOf(const TextureHit& hit) const {
-  return identity_ ? hit.point : At(hit.moment).InversePoint(hit.point);
+  if (identity_) return hit.point;
+  return animated_.empty() ? constant_.InversePoint(hit.point)
+                           : At(hit.moment).InversePoint(hit.point);
 }
 
 size_t TextureSpace::bytes() const {

@@ -57,6 +57,11 @@ TEST(Mist, OfALevelRayIsThatOfItsHeight) {
   ExpectColor(air.Apply(kHighEye, kAhead, 10, kDisc), {0.636944, 0.146394, 0.875651});
 }
 
+TEST(Mist, WithoutAScaleIsDefined) {
+  const Atmosphere air = Air({Mist{kFogColor, {14, 5, 30}, .5, 0}});
+  EXPECT_EQ(air.Apply({0, 0, 0}, kAhead, 10, kDisc), kFogColor);
+}
+
 TEST(FogDeck, IsSeenByVerticalRaysOnly) {
   const Atmosphere air = Air({FogDeck{1, .1, {1, 1, 1}, .5, 4, kFogColor, {5, 5, 5}}});
   EXPECT_EQ(air.Apply(kHighEye, kDown, Length({0, 10, -3}), kDisc), kDisc);
