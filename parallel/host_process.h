@@ -11,7 +11,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <string>
 #include <vector>
@@ -64,6 +63,7 @@ class HostProcess : public Process {
   void On(ProcessId from, const Text& message, Outbox* outbox);
   void On(ProcessId from, const Failure& message, Outbox* outbox);
 
+  void PlanMemory();
   void SendSetUp(Outbox* outbox);
   bool Distribute(Outbox* outbox);
   bool HandOut(Outbox* outbox);
@@ -82,7 +82,6 @@ class HostProcess : public Process {
 
   struct Receiver;
   std::vector<Receiver> receivers_;  // of objects; one for each trace process
-  std::deque<ProcessId> requests_;   // unanswered, in order of arrival
   uint32_t in_flight_limit_ = 0;
   uint64_t in_flight_ = 0;
   uint64_t samples_done_ = 0;

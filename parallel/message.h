@@ -133,6 +133,8 @@ struct SetUp {
   int32_t frame = 0;
   RunOptions options;
   SceneSpec scene;  // without placements
+  bool any_transparent =
+      false;  // of the whole scene: shadow rays have to be followed through objects
   CellTree tree;
 
   template <class A>
@@ -141,6 +143,7 @@ struct SetUp {
     a("frame", frame);
     a("options", options);
     a("scene", scene);
+    a("any_transparent", any_transparent);
     a("tree", tree);
   }
 };

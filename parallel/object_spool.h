@@ -43,16 +43,15 @@ class ObjectSpool : public SceneSink {
   // After parsing. Places all objects as they stand in this frame; must be called before what
   // follows.
   void Place(int frame);
-  const SceneSpec& scene() const;  // without placements
+  const Settings& settings() const;  // known after parsing, before Place
+  const SceneSpec& scene() const;
   const Placement& placement(uint32_t number) const;
   uint64_t size() const;  // placed objects
 
-  // Calls visit for each placed object, in an order that is always the same; `geometry`: whether
-  // object.geom is wanted.
-  void ForEach(bool geometry, const std::function<void(const SpooledObject&)>& visit);
-  // The same, resumable: a cursor over the placed objects with their geometry.
+  // A pass over the placed objects, in an order that is always the same: Rewind, then Next until it
+  // gives false. geometry: whether object->object is wanted.
   void Rewind();
-  bool Next(SpooledObject* object);
+  bool Next(bool geometry, SpooledObject* object);
 
  private:
   struct Impl;

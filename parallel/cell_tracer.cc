@@ -1,0 +1,264 @@
+// Bundles against held cells; see cell_tracer.h.
+#include "parallel/cell_tracer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "parallel/cell_walk.h"
+#include "parallel/pyraclip.h"
+#include "rayshade/common/check.h"
+
+namespace rayshade::parallel {
+
+CellTracer::CellTracer(const Scene* scene, const CellTree* tree, ProcessId self,
+                       const ObjectSet* own, ObjectCache* cache)
+    : scene_(scene), tree_(tree), own_(own), cache_(cache), boxes_(tree->Boxes()) {
+  for (CellId c = 0; c < tree->size(); ++c) {
+    const Cell& cell = tree->cell(c);
+    // A cell without objects is held by everyone: there is nothing to hold.
+    owned_.push_back(cell.owner == self || cell.resident || cell.objects == 0);
+  }
+  const auto& nodes = tree->nodes();
+  all_owned_.resize(nodes.size());
+  for (size_t i = nodes.size(); i-- > 0;) {  // children come after their parents
+    const CellNode& n = nodes[i];
+    all_owned_[i] = n.axis == 3 ? owned_[n.low] : all_owned_[n.low] && all_owned_[n.high];
+  }
+}
+
+size_t CellTracer::bytes() const {
+  return tree_->bytes() + owned_.capacity() + all_owned_.capacity() +
+         boxes_.capacity() * sizeof(Bounds);
+}
+
+// Is the cell before the one in which the ray resumes, in the ray's order?
+bool CellTracer::Before(const RayInterval& interval, CellId cell, const Ray& ray,
+                        CellId resume) const {
+  if (resume == kNoCell) return false;
+  const double entry = Intersect(boxes_[resume], ray.origin, ray.direction).entry;
+  return interval.entry < entry || (interval.entry == entry && cell < resume);
+}
+
+// Visits the cells on the ray's path that are not owned, in the ray's order, until visit returns
+// false.
+template <class Visit>
+void CellTracer::Walk(const Ray& ray, double limit, Visit visit, OpCounts* counts) {
+  const auto skip = [this](uint32_t node) { return all_owned_[node] != 0; };
+  counts->cell_steps += WalkCells(*tree_, ray.origin, ray.direction, limit, skip, visit);
+}
+
+void CellTracer::Nearest(std::span<const Ray> rays, std::span<const Travel> travel,
+                         std::span<Hit> hits, std::span<Halt> halts, OpCounts* counts) {
+  const size_t n = rays.size();
+  size_t fresh = 0;
+  for (size_t i = 0; i < n; ++i) {
+    hits[i] = Hit();
+    hits[i].distance = travel[i].best_distance;
+    hits[i].rank = travel[i].best_rank;
+    halts[i] = Halt();
+    fresh += !travel[i].own_done;
+  }
+  if (fresh == n) {
+    own_->Nearest(rays, hits, counts);
+  } else if (fresh > 0) {
+    some_.clear();
+    some_rays_.clear();
+    some_hits_.clear();
+    for (size_t i = 0; i < n; ++i) {
+      if (travel[i].own_done) continue;
+      some_.push_back(static_cast<uint32_t>(i));
+      some_rays_.push_back(rays[i]);
+      some_hits_.push_back(hits[i]);
+    }
+    own_->Nearest(some_rays_, some_hits_, counts);
+    for (size_t k = 0; k < some_.size(); ++k) hits[some_[k]] = some_hits_[k];
+  }
+  if (all_owned_[0]) return;
+
+  const Pyramid pyramid = Pyramid::Around(rays);
+  if (n >= 8 && pyramid.narrow()) {
+    NearestByClipList(pyramid, rays, travel, hits, halts, counts);
+  } else {
+    for (size_t i = 0; i < n; ++i) NearestByWalk(rays[i], travel[i], &hits[i], &halts[i], counts);
+  }
+  for (size_t i = 0; i < n; ++i) {
+    if (hits[i].found() && hits[i].distance < halts[i].entry) halts[i] = Halt();
+  }
+}
+
+void CellTracer::NearestByClipList(const Pyramid& pyramid, std::span<const Ray> rays,
+                                   std::span<const Travel> travel, std::span<Hit> hits,
+                                   std::span<Halt> halts, OpCounts* counts) {
+  double limit = 0;
+  for (const Hit& hit : hits) limit = std::max(limit, hit.distance);
+  const auto skip = [this](uint32_t node) { return all_owned_[node] != 0; };
+  for (const ClippedCell& clipped : PyraClip(*tree_, pyramid, limit, skip)) {
+    ++counts->cell_steps;
+    some_.clear();
+    some_rays_.clear();
+    some_hits_.clear();
+    const ObjectSet* set = cache_->Find(clipped.cell);
+    for (size_t i = 0; i < rays.size(); ++i) {
+      if (clipped.entry > hits[i].distance) continue;
+      const RayInterval interval =
+          Intersect(boxes_[clipped.cell], rays[i].origin, rays[i].direction);
+      if (interval.empty() || interval.exit < 0 || interval.entry > hits[i].distance ||
+          Before(interval, clipped.cell, rays[i], travel[i].resume)) {
+        continue;
+      }
+      if (set != nullptr) {
+        some_.push_back(static_cast<uint32_t>(i));
+        some_rays_.push_back(rays[i]);
+        some_hits_.push_back(hits[i]);
+      } else if (interval.entry < halts[i].entry ||
+                 (interval.entry == halts[i].entry && clipped.cell < halts[i].cell)) {
+        halts[i] = {clipped.cell, interval.entry};
+      }
+    }
+    if (set == nullptr || some_.empty()) continue;
+    cache_hits_ += some_.size();
+    set->Nearest(some_rays_, some_hits_, counts);
+    for (size_t k = 0; k < some_.size(); ++k) hits[some_[k]] = some_hits_[k];
+  }
+  for (const Halt& halt : halts) cache_misses_ += halt.cell != kNoCell;
+}
+
+void CellTracer::NearestByWalk(const Ray& ray, const Travel& travel, Hit* hit, Halt* halt,
+                               OpCounts* counts) {
+  Walk(
+      ray, hit->distance,
+      [&](CellId cell, const RayInterval& interval) {
+        if (interval.entry > hit->distance) return false;
+        if (Before(interval, cell, ray, travel.resume)) return true;
+        const ObjectSet* set = cache_->Find(cell);
+        if (set == nullptr) {
+          ++cache_misses_;
+          *halt = {cell, interval.entry};
+          return false;
+        }
+        ++cache_hits_;
+        set->Nearest({&ray, 1}, {hit, 1}, counts);
+        return true;
+      },
+      counts);
+}
+
+Hit CellTracer::Locate(const Ray& ray, double distance, Rank rank, OpCounts* counts) {
+  Hit hit;
+  const auto find = [&](const ObjectSet& set) {
+    hit = Hit();
+    hit.distance = std::nextafter(distance, 2 * kFar);
+    set.Nearest({&ray, 1}, {&hit, 1}, counts);
+    if (!hit.found() || hit.distance != distance || hit.rank != rank) hit = Hit();
+    return hit.found();
+  };
+  if (find(*own_)) return hit;
+  const CellId cell = tree_->At(ray.origin + distance * ray.direction);
+  CHECK(cell != kNoCell && !owned_[cell]);  // it would have been found
+  if (const ObjectSet* set = cache_->Find(cell)) {
+    CHECK(find(*set));
+    return hit;
+  }
+  hit = Hit();
+  hit.distance = distance;
+  hit.rank = rank;
+  return hit;
+}
+
+// The shadow rays against one set: the opaque objects in it block, the transparent ones are noted.
+void CellTracer::Cross(const ObjectSet& set, std::span<Shadow*> shadows, OpCounts* counts) {
+  some_rays_.clear();
+  limits_.clear();
+  blocked_.assign(shadows.size(), 0);
+  for (const Shadow* s : shadows) {
+    some_rays_.push_back(s->shadow->ray);
+    limits_.push_back(s->shadow->limit);
+  }
+  set.Block(some_rays_, limits_, blocked_, counts);
+  for (size_t i = 0; i < shadows.size(); ++i) {
+    Shadow& s = *shadows[i];
+    s.blocked = blocked_[i] != 0;
+    if (!s.blocked && s.crossings != nullptr) {
+      CollectCrossings(*scene_, set, s.shadow->ray, s.shadow->limit, s.crossings, counts);
+    }
+  }
+}
+
+void CellTracer::Shadows(std::span<Shadow> shadows, OpCounts* counts) {
+  std::vector<Shadow*> active;
+  for (Shadow& s : shadows) {
+    s.halt = Halt();
+    if (!s.own_done) active.push_back(&s);
+  }
+  if (!active.empty()) Cross(*own_, active, counts);
+  if (all_owned_[0]) return;
+  active.clear();
+  Pyramid pyramid;
+  for (Shadow& s : shadows) {
+    if (s.blocked) continue;
+    active.push_back(&s);
+    pyramid.origins.Include(s.shadow->ray.origin);
+    pyramid.directions.Include(s.shadow->ray.direction);
+  }
+  if (active.size() >= 8 && pyramid.narrow()) {
+    ShadowsByClipList(pyramid, active, counts);
+  } else {
+    for (Shadow* s : active) ShadowByWalk(s, counts);
+  }
+  for (Shadow& s : shadows) {
+    if (s.blocked) s.halt = Halt();
+  }
+}
+
+void CellTracer::ShadowsByClipList(const Pyramid& pyramid, std::span<Shadow*> shadows,
+                                   OpCounts* counts) {
+  double limit = 0;
+  for (const Shadow* s : shadows) limit = std::max(limit, s->shadow->limit);
+  const auto skip = [this](uint32_t node) { return all_owned_[node] != 0; };
+  std::vector<Shadow*> here;
+  for (const ClippedCell& clipped : PyraClip(*tree_, pyramid, limit, skip)) {
+    ++counts->cell_steps;
+    here.clear();
+    const ObjectSet* set = cache_->Find(clipped.cell);
+    for (Shadow* s : shadows) {
+      if (s->blocked) continue;
+      const Ray& ray = s->shadow->ray;
+      const RayInterval interval = Intersect(boxes_[clipped.cell], ray.origin, ray.direction);
+      if (interval.empty() || interval.exit < 0 || interval.entry > s->shadow->limit ||
+          Before(interval, clipped.cell, ray, s->resume)) {
+        continue;
+      }
+      if (set != nullptr) {
+        here.push_back(s);
+      } else if (interval.entry < s->halt.entry ||
+                 (interval.entry == s->halt.entry && clipped.cell < s->halt.cell)) {
+        s->halt = {clipped.cell, interval.entry};
+      }
+    }
+    if (set == nullptr || here.empty()) continue;
+    cache_hits_ += here.size();
+    Cross(*set, here, counts);
+  }
+  for (const Shadow* s : shadows) cache_misses_ += !s->blocked && s->halt.cell != kNoCell;
+}
+
+void CellTracer::ShadowByWalk(Shadow* shadow, OpCounts* counts) {
+  Walk(
+      shadow->shadow->ray, shadow->shadow->limit,
+      [&](CellId cell, const RayInterval& interval) {
+        if (Before(interval, cell, shadow->shadow->ray, shadow->resume)) return true;
+        const ObjectSet* set = cache_->Find(cell);
+        if (set == nullptr) {
+          ++cache_misses_;
+          shadow->halt = {cell, interval.entry};
+          return false;
+        }
+        ++cache_hits_;
+        Shadow* one[] = {shadow};
+        Cross(*set, one, counts);
+        return !shadow->blocked;
+      },
+      counts);
+}
+
+}  // namespace rayshade::parallel

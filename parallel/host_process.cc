@@ -1,0 +1,282 @@
+// Set-up, distribution, feeding and gathering; see host_process.h.
+#include "parallel/host_process.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "parallel/pending_intersections.h"
+#include "parallel/primary_feed.h"
+#include "parallel/trace_impl.h"
+#include "parallel/voxel_distribution.h"
+
+namespace rayshade::parallel {
+
+// Objects on their way to one trace process.
+struct HostProcess::Receiver {
+  ObjectParcel parcel;
+  std::vector<bool> has_placement;  // by number in the run
+  int untaken = 0;                  // messages sent and not yet reported as stored
+};
+
+namespace {
+
+constexpr size_t kObjectsPerParcel = 64;
+constexpr int kUntakenMax = 128;  // parcels on their way to one process
+constexpr int kObjectsPerStep = 1024;
+
+// What one primary ray can occupy at once in all processes together: a pending intersection per
+// level, and a ray on its way or an intersection that waits for the cells of its shadow rays
+// (trace_process.h, invariant 2).
+uint64_t BytesPerPrimaryRay(const SceneSpec& scene) {
+  const uint64_t levels = static_cast<uint64_t>(scene.settings.max_depth) + 1;
+  return levels * sizeof(PendingIntersection) + sizeof(WaitingShade) + sizeof(Ray) +
+         sizeof(Travel) +
+         (scene.lights.size() + 1) * (sizeof(ShadowRay) + sizeof(std::vector<ShadowCrossing>) + 16);
+}
+
+std::string Bytes(uint64_t n) { return std::to_string(n) + " bytes"; }
+
+}  // namespace
+
+HostProcess::HostProcess(const RunOptions& options, ObjectSpool* spool, int frame)
+    : options_(options),
+      spool_(spool),
+      frame_(frame),
+      receivers_(options.processes),
+      probes_(options.processes),
+      statistics_(options.processes),
+      machines_(options.processes) {
+  const Settings& settings = spool->scene().settings;
+  camera_ = std::make_unique<Camera>(settings, frame);
+  sampling_ = std::make_unique<PixelSampling>(settings, *camera_, /*ahead=*/true);
+  if (options_.schedule == Schedule::kDataParallel) options_.resident = 0;
+  tree_ = BuildTree(options_, spool);
+  PlanMemory();
+  const size_t pyramid =
+      std::clamp<size_t>(in_flight_limit_ / (2 * options_.processes), 1, options_.pyramid);
+  if (options_.schedule == Schedule::kDataParallel) {
+    feed_ = std::make_unique<DataParallelFeed>(camera_.get(), &tree_, options_.processes);
+  } else {
+    feed_ = std::make_unique<PyramidFeed>(pyramid);
+  }
+  options_.pyramid = static_cast<uint32_t>(pyramid);
+}
+
+HostProcess::~HostProcess() = default;
+
+// Shares the memory of a process out: its own objects come first, the rest goes to resident set,
+// cache and rays.
+void HostProcess::PlanMemory() {
+  uint64_t largest_cell = 0;
+  for (CellId c = 0; c < tree_.size(); ++c)
+    largest_cell = std::max(largest_cell, tree_.cell(c).bytes);
+  uint64_t for_rays = 0;
+  if (options_.memory != 0) {
+    const auto held = BytesHeld(options_, tree_, spool_);
+    const auto fullest = std::max_element(held.begin(), held.end());
+    const uint64_t spare = options_.processes > 1 ? 2 * largest_cell : 0;
+    if (*fullest + spare > options_.memory) {
+      const int enough = ProcessesThatWouldDo(options_.memory, spare, spool_);
+      throw std::runtime_error("out of memory: trace process " +
+                               std::to_string(fullest - held.begin() + 1) + " needs " +
+                               Bytes(*fullest + spare) + " for its objects, --memory allows " +
+                               Bytes(options_.memory) + "; " +
+                               (enough > 0 ? std::to_string(enough) + " processes would do"
+                                           : std::string("no number of processes would do")));
+    }
+    const uint64_t rest = options_.memory - *fullest;
+    options_.resident = std::min(options_.resident, rest / 4);
+    options_.cache =
+        std::max(spare, std::min(options_.cache == 0 ? rest : options_.cache, rest / 3));
+    for_rays = (rest - std::min(rest, options_.resident + options_.cache)) / 2;
+  } else if (options_.cache != 0) {
+    options_.cache = std::max(options_.cache, 2 * largest_cell);
+  }
+  ChooseResidentSet(camera_->eye(), options_.resident, &tree_);
+  const uint64_t plenty =
+      uint64_t{4} * options_.processes * std::max<uint32_t>(options_.pyramid, 256);
+  const uint64_t allowed =
+      options_.memory == 0 ? plenty : for_rays / BytesPerPrimaryRay(spool_->scene());
+  in_flight_limit_ = static_cast<uint32_t>(std::clamp<uint64_t>(allowed, 1, plenty));
+  if (options_.rays_in_flight != 0) in_flight_limit_ = options_.rays_in_flight;
+}
+
+void HostProcess::Fail(const std::string& text) {
+  if (finished()) return;
+  phase_ = Phase::kFailed;
+  failure_ = text;
+}
+
+void HostProcess::OnLost(ProcessId process, const std::string& why) {
+  if (phase_ == Phase::kStop) {  // its statistics may be lost, the picture is not
+    if (++reported_ == options_.processes) phase_ = Phase::kDone;
+    return;
+  }
+  Fail("trace process " + std::to_string(process) + " is lost: " + why);
+}
+
+void HostProcess::Receive(ProcessId from, std::span<const uint8_t> bytes, Outbox* outbox) {
+  if (from == kHost || from > options_.processes) throw WireError("a message from nobody");
+  switch (TagOf(bytes)) {
+    case Tag::kObjectsTaken:
+      return On(from, Decode<ObjectsTaken>(bytes), outbox);
+    case Tag::kReady:
+      return On(from, Decode<Ready>(bytes), outbox);
+    case Tag::kWorkRequest:
+      return On(from, Decode<WorkRequest>(bytes), outbox);
+    case Tag::kPixelResults:
+      return On(from, Decode<PixelResults>(bytes), outbox);
+    case Tag::kStatistics:
+      return On(from, Decode<Statistics>(bytes), outbox);
+    case Tag::kText:
+      return On(from, Decode<Text>(bytes), outbox);
+    case Tag::kFailure:
+      return On(from, Decode<Failure>(bytes), outbox);
+    default:
+      throw WireError(std::string(NameOf(TagOf(bytes))) + " is not for the host");
+  }
+}
+
+void HostProcess::On(ProcessId from, const ObjectsTaken&, Outbox*) {
+  --receivers_[from - 1].untaken;
+}
+
+void HostProcess::On(ProcessId from, const Ready& message, Outbox*) {
+  probes_[from - 1] = message.probe;
+  machines_[from - 1] = message.machine;
+  if (options_.memory != 0 && message.bytes_needed > options_.memory) {
+    Fail("out of memory: trace process " + std::to_string(from) + " needs " +
+         Bytes(message.bytes_needed) + " for its objects, --memory allows " +
+         Bytes(options_.memory));
+  }
+  if (++ready_ < options_.processes || finished()) return;
+  for (int p = 1; p < options_.processes; ++p) {
+    if (probes_[p] != probes_[0]) {
+      return Fail("the mathematical functions of trace process " + std::to_string(p + 1) + " (" +
+                  machines_[p] + ") differ from those of process 1 (" + machines_[0] +
+                  "): pictures would differ");
+    }
+  }
+  phase_ = Phase::kTrace;
+}
+
+void HostProcess::On(ProcessId from, const WorkRequest&, Outbox*) { feed_->OnRequest(from); }
+
+void HostProcess::On(ProcessId, const PixelResults& message, Outbox*) {
+  for (const ResultItem& item : message.results) {
+    sampling_->Put(SampleOf(item.token), {item.color, item.distance, item.hit});
+  }
+  if (message.results.size() > in_flight_) throw WireError("more results than rays");
+  in_flight_ -= message.results.size();
+  samples_done_ += message.results.size();
+}
+
+void HostProcess::On(ProcessId from, const Statistics& message, Outbox*) {
+  statistics_[from - 1] = message;
+  if (++reported_ == options_.processes && !finished()) phase_ = Phase::kDone;
+}
+
+void HostProcess::On(ProcessId from, const Text& message, Outbox*) {
+  texts_.push_back("process " + std::to_string(from) + ": " + message.text);
+}
+
+void HostProcess::On(ProcessId from, const Failure& message, Outbox*) {
+  Fail("trace process " + std::to_string(from) + ": " + message.text);
+}
+
+std::vector<std::string> HostProcess::TakeTexts() { return std::exchange(texts_, {}); }
+
+bool HostProcess::Work(Outbox* outbox) {
+  switch (phase_) {
+    case Phase::kSetUp:
+      SendSetUp(outbox);
+      return true;
+    case Phase::kDistribute:
+      return Distribute(outbox);
+    case Phase::kTrace:
+      return HandOut(outbox);
+    default:
+      return false;
+  }
+}
+
+void HostProcess::SendSetUp(Outbox* outbox) {
+  SetUp message;
+  message.frame = frame_;
+  message.options = options_;
+  message.scene = spool_->scene();
+  message.any_transparent = Scene(spool_->scene(), frame_).any_transparent;
+  message.tree = tree_;
+  for (ProcessId p = 1; p <= options_.processes; ++p) {
+    message.id = p;
+    outbox->Send(p, Encode(message));
+  }
+  spool_->Rewind();
+  phase_ = Phase::kDistribute;
+}
+
+void HostProcess::SendParcel(ProcessId to, Outbox* outbox) {
+  Receiver& receiver = receivers_[to - 1];
+  if (receiver.parcel.objects.empty()) return;
+  outbox->Send(to, Encode(Objects{std::move(receiver.parcel)}));
+  receiver.parcel = {};
+  ++receiver.untaken;
+}
+
+// Objects go to the owners of the cells they touch, and to all where a cell is resident or where
+// they have no bounds.
+bool HostProcess::Distribute(Outbox* outbox) {
+  for (const Receiver& receiver : receivers_) {
+    if (receiver.untaken > kUntakenMax) return false;
+  }
+  std::vector<uint8_t> wanted(options_.processes);
+  for (int i = 0; i < kObjectsPerStep; ++i) {
+    SpooledObject object;
+    if (!spool_->Next(true, &object)) {
+      for (ProcessId p = 1; p <= options_.processes; ++p) {
+        SendParcel(p, outbox);
+        outbox->Send(p, Encode(Distributed{}));
+      }
+      phase_ = Phase::kBuild;
+      return true;
+    }
+    std::fill(wanted.begin(), wanted.end(), !object.bounded);
+    if (object.bounded) {
+      tree_.ForEachOver(object.bounds, [&](CellId c) {
+        if (tree_.cell(c).resident) std::fill(wanted.begin(), wanted.end(), 1);
+        wanted[tree_.cell(c).owner - 1] = 1;
+      });
+    }
+    for (ProcessId p = 1; p <= options_.processes; ++p) {
+      if (!wanted[p - 1]) continue;
+      Receiver& receiver = receivers_[p - 1];
+      const uint32_t number = object.object.placement;
+      receiver.has_placement.resize(std::max<size_t>(receiver.has_placement.size(), number + 1));
+      if (!receiver.has_placement[number]) {
+        receiver.has_placement[number] = true;
+        receiver.parcel.placements.push_back({number, spool_->placement(number)});
+      }
+      receiver.parcel.objects.push_back(object.object);
+      if (receiver.parcel.objects.size() >= kObjectsPerParcel) SendParcel(p, outbox);
+    }
+  }
+  return true;
+}
+
+bool HostProcess::HandOut(Outbox* outbox) {
+  if (sampling_->done() && in_flight_ == 0) {
+    for (ProcessId p = 1; p <= options_.processes; ++p) outbox->Send(p, Encode(Stop{}));
+    phase_ = Phase::kStop;
+    return true;
+  }
+  // New rays in portions worth sending: waits until a good part of the limit is free.
+  const size_t room = in_flight_limit_ - in_flight_;
+  const size_t portion = std::min<size_t>(options_.pyramid, in_flight_limit_);
+  if (room < portion) return false;
+  const size_t handed_out = feed_->HandOut(room, sampling_.get(), outbox);
+  in_flight_ += handed_out;
+  return handed_out > 0;
+}
+
+}  // namespace rayshade::parallel

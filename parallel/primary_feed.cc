@@ -1,0 +1,68 @@
+// Feeds of the three schedules; see primary_feed.h.
+#include "parallel/primary_feed.h"
+
+#include <algorithm>
+
+#include "parallel/cell_walk.h"
+#include "parallel/message.h"
+#include "parallel/ray_packer.h"
+
+namespace rayshade::parallel {
+
+size_t PyramidFeed::HandOut(size_t room, PixelSampling* sampling, Outbox* outbox) {
+  size_t handed_out = 0;
+  while (!requests_.empty() && handed_out < room) {
+    if (room - handed_out < pyramid_ && handed_out > 0) break;  // no slivers: wait for results
+    PrimaryRays message;
+    message.samples = sampling->Next(std::min(pyramid_, room - handed_out));
+    if (message.samples.empty()) break;
+    handed_out += message.samples.size();
+    outbox->Send(requests_.front(), Encode(message));
+    requests_.pop_front();
+  }
+  return handed_out;
+}
+
+DataParallelFeed::DataParallelFeed(const Camera* camera, const CellTree* tree, ProcessId processes)
+    : camera_(camera), tree_(tree), processes_(processes), all_empty_(tree->nodes().size()) {
+  const auto& nodes = tree->nodes();
+  for (size_t i = nodes.size(); i-- > 0;) {
+    const CellNode& n = nodes[i];
+    all_empty_[i] =
+        n.axis == 3 ? tree->cell(n.low).objects == 0 : all_empty_[n.low] && all_empty_[n.high];
+  }
+}
+
+size_t DataParallelFeed::HandOut(size_t room, PixelSampling* sampling, Outbox* outbox) {
+  constexpr size_t kAtOnce = 1024;
+  RayPacker packer(processes_);
+  size_t handed_out = 0;
+  while (handed_out < room) {
+    const std::vector<Sample> samples = sampling->Next(std::min(kAtOnce, room - handed_out));
+    if (samples.empty()) break;
+    handed_out += samples.size();
+    for (const Sample& sample : samples) {
+      const Ray ray = camera_->PrimaryRay(sample);
+      Travel travel;
+      travel.back = {kHost, TokenOf(sample)};
+      WalkCells(
+          *tree_, ray.origin, ray.direction, kFar,
+          [this](uint32_t node) { return all_empty_[node] != 0; },
+          [&travel](CellId cell, const RayInterval&) {
+            travel.resume = cell;
+            return false;
+          });
+      ProcessId to = turn_;
+      if (travel.resume != kNoCell) {
+        to = tree_->cell(travel.resume).owner;
+      } else {
+        turn_ = turn_ == processes_ ? 1 : turn_ + 1;
+      }
+      packer.AddRay(to, ray, {}, travel, outbox);
+    }
+  }
+  packer.Flush(outbox);
+  return handed_out;
+}
+
+}  // namespace rayshade::parallel

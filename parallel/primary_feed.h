@@ -1,0 +1,53 @@
+// How primary rays enter the processes; all that differs in the host between the schedules.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <vector>
+
+#include "parallel/cell_tree.h"
+#include "parallel/process.h"
+#include "parallel/run_options.h"
+#include "rayshade/render/camera.h"
+#include "rayshade/render/pixel_sampling.h"
+
+namespace rayshade::parallel {
+
+class PrimaryFeed {
+ public:
+  virtual ~PrimaryFeed() = default;
+  virtual void OnRequest(ProcessId) {}
+  // Hands out samples while there are any, at most `room`; returns how many.
+  virtual size_t HandOut(size_t room, PixelSampling* sampling, Outbox* outbox) = 0;
+};
+
+// "There is a host process that issues bundles of rays on request" [RJ s.4]: each request is
+// answered by one pyramid.
+class PyramidFeed : public PrimaryFeed {
+ public:
+  explicit PyramidFeed(size_t pyramid) : pyramid_(pyramid) {}
+  void OnRequest(ProcessId from) override { requests_.push_back(from); }
+  size_t HandOut(size_t room, PixelSampling* sampling, Outbox* outbox) override;
+
+ private:
+  size_t pyramid_;
+  std::deque<ProcessId> requests_;
+};
+
+// "For each primary ray the host determines which voxel it originates in (or enters) and sends this
+// ray as a task to the associated trace process" [RJ s.2]. Rays that enter no cell with objects go
+// to the processes in turn.
+class DataParallelFeed : public PrimaryFeed {
+ public:
+  DataParallelFeed(const Camera* camera, const CellTree* tree, ProcessId processes);
+  size_t HandOut(size_t room, PixelSampling* sampling, Outbox* outbox) override;
+
+ private:
+  const Camera* camera_;
+  const CellTree* tree_;
+  ProcessId processes_;
+  ProcessId turn_ = 1;
+  std::vector<uint8_t> all_empty_;  // by node
+};
+
+}  // namespace rayshade::parallel

@@ -1,0 +1,146 @@
+// The state of a trace process and its steps; private to trace_process.cc (messages), trace_rays.cc
+// (tracing and fetching) and trace_shading.cc (spawning, gathering, shading).
+#pragma once
+
+#include <deque>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "parallel/cell_tracer.h"
+#include "parallel/message.h"
+#include "parallel/object_cache.h"
+#include "parallel/pending_intersections.h"
+#include "parallel/process.h"
+#include "parallel/ray_packer.h"
+#include "parallel/ray_queue.h"
+#include "parallel/trace_process.h"
+#include "parallel/work_queue.h"
+#include "rayshade/render/camera.h"
+#include "rayshade/shade/crossing.h"
+#include "rayshade/shade/shade.h"
+
+namespace rayshade::parallel {
+
+// A hit whose shadow rays wait for cells.
+struct WaitingShade {
+  Ray ray;
+  std::vector<Medium> media;
+  double distance = 0;
+  ReturnAddress back;
+  SurfaceHit hit;
+  std::vector<ShadowRay> shadows;
+  std::vector<uint8_t> arrived;
+  std::vector<std::vector<ShadowCrossing>>
+      crossings;         // by shadow; empty where nothing is transparent
+  uint32_t unknown = 0;  // shadow rays that are not decided
+};
+
+// A member of a definition, which several placed objects share.
+struct Member {
+  GeomSpec spec;
+  std::shared_ptr<const Geom> geom;
+};
+
+// What waits for a cell that is being fetched.
+struct WaitingForCell {
+  RayQueue rays;                                       // to go on
+  RayQueue hits;                                       // conclusive, to be located
+  std::vector<std::pair<uint32_t, uint32_t>> shadows;  // waiting shade, number of its shadow ray
+};
+
+struct TraceProcess::Impl {
+  explicit Impl(const Meter* m) : meter(m) {}
+
+  // trace_process.cc
+  void On(ProcessId from, SetUp& message, Outbox* outbox);
+  void On(ProcessId from, Objects& message, Outbox* outbox);
+  void On(ProcessId from, Distributed& message, Outbox* outbox);
+  void On(ProcessId from, PrimaryRays& message, Outbox* outbox);
+  void On(ProcessId from, RayTask& message, Outbox* outbox);
+  void On(ProcessId from, IntersectionTask& message, Outbox* outbox);
+  void On(ProcessId from, RayResults& message, Outbox* outbox);
+  void On(ProcessId from, CellRequest& message, Outbox* outbox);
+  void On(ProcessId from, CellReply& message, Outbox* outbox);
+  void On(ProcessId from, Stop& message, Outbox* outbox);
+  template <class Message>
+  void Handle(ProcessId from, std::span<const uint8_t> bytes, Outbox* outbox);
+  void Install(const ObjectParcel& parcel, ObjectSet* set);
+  PlacementId LocalPlacement(uint32_t number) const;
+  bool Work(Outbox* outbox);
+  bool AskForWork(Outbox* outbox);
+  void NoteBytes();
+
+  // trace_rays.cc
+  void TraceStep(RayQueue* rays, Outbox* outbox);
+  void OnHit(const RayQueue& rays, size_t i, const Hit& hit, Outbox* outbox);
+  void TakeCell(CellReply&& reply, Outbox* outbox);
+  void LocateHits(const RayQueue& rays);
+  WaitingForCell& WaitFor(CellId cell);
+  void RequestCells(Outbox* outbox);
+
+  // trace_shading.cc
+  void ShadeHits(Outbox* outbox);
+  void TraceShadows(std::vector<uint32_t>* first);
+  void FollowShadows(std::span<CellTracer::Shadow> some);
+  void PutAside(size_t i, std::span<const uint32_t> first);
+  void ResumeShadows(const std::vector<std::pair<uint32_t, uint32_t>>& shadows, CellId cell,
+                     Outbox* outbox);
+  void Lit(const Ray& ray, std::span<const Medium> media, double distance, const SurfaceHit& hit,
+           std::span<const ShadowRay> shadows, std::span<const uint8_t> arrived,
+           const ReturnAddress& back, Outbox* outbox);
+  void Launch(const RayBundle& one, const ReturnAddress& back);
+  void Deliver(const ReturnAddress& back, const RayResult& result, Outbox* outbox);
+  void TakeResult(uint64_t token, const RayResult& result, Outbox* outbox);
+
+  const Meter* meter;
+  bool stopped = false;
+
+  // From SetUp.
+  ProcessId self = 1;
+  RunOptions options;
+  std::unique_ptr<Scene> scene;
+  std::unique_ptr<Camera> camera;
+  CellTree tree;
+  std::map<uint32_t, PlacementId> placements;      // by number in the run
+  std::vector<uint32_t> placement_numbers;         // in the run, by PlacementId
+  std::map<uint32_t, Member> members;              // by number in the run
+  std::map<const Geom*, uint32_t> member_numbers;  // looked up only, never walked
+  std::unique_ptr<ObjectSet> own;
+  std::unique_ptr<ObjectCache> cache;
+  std::unique_ptr<CellTracer> tracer;
+
+  // Rays in work.
+  WorkQueue queue;
+  RayQueue transferred;  // hits from other processes, to be located and shaded
+  std::deque<CellReply> arrived_cells;
+  std::map<CellId, WaitingForCell> waiting;
+  std::deque<CellId> wanted_cells;  // to be requested
+  size_t cells_requested = 0;
+  size_t waiting_rays = 0;
+  PendingIntersections pending;
+  std::vector<std::unique_ptr<WaitingShade>> waiting_shades;
+  std::vector<uint32_t> free_waiting_shades;
+  std::unique_ptr<RayPacker> packer;
+  int requests = 0;
+  int steps = 0;
+
+  // The batch of hits being shaded, with resolved[i] for rays i.
+  RayQueue batch;
+  std::vector<SurfaceHit> resolved;
+  std::vector<double> distances;
+  std::vector<ShadowRay> shadows;
+  std::vector<uint8_t> arrived;
+  std::vector<std::vector<ShadowCrossing>> crossings;
+  std::vector<CellId> halted;  // by shadow; kNoCell: decided
+
+  // Scratch of a step.
+  std::vector<Hit> hits;
+  std::vector<Halt> halts;
+
+  Statistics statistics;
+  OpCounts& counts = statistics.counts;
+};
+
+}  // namespace rayshade::parallel

@@ -1,0 +1,265 @@
+// Messages and steps of a trace process; see trace_process.h.
+#include "parallel/trace_process.h"
+
+#include <algorithm>
+
+#include "parallel/math_probe.h"
+#include "parallel/trace_impl.h"
+#include "rayshade/common/check.h"
+#include "rayshade/geom/make_geom.h"
+
+namespace rayshade::parallel {
+
+TraceProcess::TraceProcess(const Meter* meter) : impl_(std::make_unique<Impl>(meter)) {}
+TraceProcess::~TraceProcess() = default;
+
+bool TraceProcess::finished() const { return impl_->stopped; }
+
+bool TraceProcess::Work(Outbox* outbox) { return impl_->Work(outbox); }
+
+template <class Message>
+void TraceProcess::Impl::Handle(ProcessId from, std::span<const uint8_t> bytes, Outbox* outbox) {
+  Message message = Decode<Message>(bytes);
+  On(from, message, outbox);
+}
+
+void TraceProcess::Receive(ProcessId from, std::span<const uint8_t> bytes, Outbox* outbox) {
+  const Tag tag = TagOf(bytes);
+  Impl& p = *impl_;
+  if (tag != Tag::kSetUp && tag != Tag::kStop && p.scene == nullptr) {
+    throw WireError(std::string(NameOf(tag)) + " before SetUp");
+  }
+  switch (tag) {
+    case Tag::kSetUp:
+      return p.Handle<SetUp>(from, bytes, outbox);
+    case Tag::kObjects:
+      return p.Handle<Objects>(from, bytes, outbox);
+    case Tag::kDistributed:
+      return p.Handle<Distributed>(from, bytes, outbox);
+    case Tag::kStop:
+      return p.Handle<Stop>(from, bytes, outbox);
+    default:
+      break;
+  }
+  if (p.tracer == nullptr) throw WireError(std::string(NameOf(tag)) + " before Distributed");
+  switch (tag) {
+    case Tag::kPrimaryRays:
+      return p.Handle<PrimaryRays>(from, bytes, outbox);
+    case Tag::kRayTask:
+      return p.Handle<RayTask>(from, bytes, outbox);
+    case Tag::kIntersectionTask:
+      return p.Handle<IntersectionTask>(from, bytes, outbox);
+    case Tag::kRayResults:
+      return p.Handle<RayResults>(from, bytes, outbox);
+    case Tag::kCellRequest:
+      return p.Handle<CellRequest>(from, bytes, outbox);
+    case Tag::kCellReply:
+      return p.Handle<CellReply>(from, bytes, outbox);
+    default:
+      throw WireError(std::string(NameOf(tag)) + " is not for a trace process");
+  }
+}
+
+void TraceProcess::Impl::On(ProcessId, SetUp& message, Outbox*) {
+  const Meter* kept = meter;
+  std::destroy_at(this);  // nothing of an earlier frame stays
+  std::construct_at(this, kept);
+  self = message.id;
+  options = message.options;
+  tree = std::move(message.tree);
+  for (CellId c = 0; c < tree.size(); ++c) {
+    if (tree.cell(c).owner == kHost || tree.cell(c).owner > options.processes) {
+      throw WireError("a cell without an owner");
+    }
+  }
+  camera = std::make_unique<Camera>(message.scene.settings, message.frame);
+  scene = std::make_unique<Scene>(std::move(message.scene), message.frame);
+  scene->any_transparent = message.any_transparent;
+  own = std::make_unique<ObjectSet>(scene.get());
+  cache = std::make_unique<ObjectCache>(options.cache);
+  packer = std::make_unique<RayPacker>(options.processes);
+}
+
+PlacementId TraceProcess::Impl::LocalPlacement(uint32_t number) const {
+  const auto it = placements.find(number);
+  if (it == placements.end()) throw WireError("an object without its placement");
+  return it->second;
+}
+
+void TraceProcess::Impl::Install(const ObjectParcel& parcel, ObjectSet* set) {
+  for (const WirePlacement& p : parcel.placements) {
+    const auto [it, added] = placements.try_emplace(p.number, scene->spec.placements.size());
+    if (!added) continue;
+    scene->spec.placements.push_back(p.placement);
+    placement_numbers.push_back(p.number);
+  }
+  for (const WireObject& object : parcel.objects) {
+    const PlacementId placement = LocalPlacement(object.placement);
+    if (object.member == 0) {
+      set->Add(object.geom, placement, object.rank);
+      continue;
+    }
+    Member& member = members[object.member];
+    if (member.geom == nullptr) {
+      member = {object.geom, MakeGeom(object.geom, scene->shutter)};
+      member_numbers.emplace(member.geom.get(), object.member);
+    }
+    set->Add(member.geom, placement, object.rank);
+  }
+}
+
+void TraceProcess::Impl::On(ProcessId, Objects& message, Outbox* outbox) {
+  if (tracer != nullptr) throw WireError("Objects after Distributed");
+  Install(message.parcel, own.get());
+  outbox->Send(kHost, Encode(ObjectsTaken{}));
+}
+
+void TraceProcess::Impl::On(ProcessId, Distributed&, Outbox* outbox) {
+  if (tracer != nullptr) throw WireError("Distributed twice");
+  own->Build();
+  tracer = std::make_unique<CellTracer>(scene.get(), &tree, self, own.get(), cache.get());
+  NoteBytes();
+  Ready ready;
+  ready.bytes_held = own->bytes();
+  uint64_t largest_foreign = 0;
+  for (CellId c = 0; c < tree.size(); ++c) {
+    if (!tracer->owns(c)) largest_foreign = std::max(largest_foreign, tree.cell(c).bytes);
+  }
+  ready.bytes_needed = own->bytes() + 2 * largest_foreign;
+  ready.probe = MathProbe();
+  ready.machine = meter->machine();
+  outbox->Send(kHost, Encode(ready));
+}
+
+void TraceProcess::Impl::On(ProcessId, PrimaryRays& message, Outbox*) {
+  requests = std::max(0, requests - 1);
+  statistics.demand_rays += message.samples.size();
+  counts.primary_rays += message.samples.size();
+  for (const Sample& sample : message.samples) {
+    Travel travel;
+    travel.back = {kHost, TokenOf(sample)};
+    queue.Push(camera->PrimaryRay(sample), {}, travel);
+  }
+}
+
+void TraceProcess::Impl::On(ProcessId from, RayTask& message, Outbox*) {
+  const RayQueue rays{std::move(message.bundle), std::move(message.travel)};
+  for (size_t i = 0; i < rays.size(); ++i) {
+    if (rays.travel[i].resume != kNoCell && rays.travel[i].resume >= tree.size()) {
+      throw WireError("a ray that goes on in no cell");
+    }
+    if (rays.travel[i].back.process > options.processes) throw WireError("a ray of no process");
+    if (from == kHost) ++counts.primary_rays;
+    queue.Push(rays.bundle.rays[i], rays.media(i), rays.travel[i]);
+  }
+  statistics.data_rays += rays.size();
+}
+
+void TraceProcess::Impl::On(ProcessId, IntersectionTask& message, Outbox*) {
+  const RayQueue rays{std::move(message.bundle), std::move(message.travel)};
+  for (size_t i = 0; i < rays.size(); ++i) {
+    if (rays.travel[i].back.process > options.processes) throw WireError("a hit of no process");
+    transferred.Push(rays.bundle.rays[i], rays.media(i), rays.travel[i]);
+  }
+}
+
+void TraceProcess::Impl::On(ProcessId, RayResults& message, Outbox* outbox) {
+  for (const ResultItem& item : message.results) {
+    TakeResult(item.token, {item.color, item.distance, item.hit}, outbox);
+  }
+}
+
+void TraceProcess::Impl::On(ProcessId from, CellRequest& message, Outbox* outbox) {
+  if (message.cell >= tree.size() || !tracer->owns(message.cell))
+    throw WireError("a request for a foreign cell");
+  CellReply reply;
+  reply.cell = message.cell;
+  Bounds box = tracer->box(message.cell);
+  box.Grow(2 * tree.margin());
+  std::vector<uint8_t> sent(placement_numbers.size());
+  own->ForEachIn(box, [&](uint32_t object) {
+    ObjectSet::Entry entry = own->entry(object);
+    WireObject wire;
+    wire.rank = entry.rank;
+    wire.placement = placement_numbers[entry.placement];
+    const auto member = member_numbers.find(entry.member.get());
+    if (member != member_numbers.end()) {
+      wire.member = member->second;
+      wire.geom = members.at(wire.member).spec;
+    } else {
+      wire.geom = std::move(entry.spec);
+    }
+    reply.parcel.objects.push_back(std::move(wire));
+    if (sent[entry.placement]++ == 0) {
+      reply.parcel.placements.push_back(
+          {placement_numbers[entry.placement], scene->placement(entry.placement)});
+    }
+  });
+  outbox->Send(from, Encode(reply));
+}
+
+void TraceProcess::Impl::On(ProcessId, CellReply& message, Outbox*) {
+  if (!waiting.contains(message.cell) || cells_requested == 0)
+    throw WireError("a cell that nobody asked for");
+  --cells_requested;
+  arrived_cells.push_back(std::move(message));
+}
+
+void TraceProcess::Impl::On(ProcessId, Stop&, Outbox* outbox) {
+  stopped = true;
+  statistics.busy_seconds = meter->busy_seconds();
+  statistics.peak_bytes = meter->peak_bytes();
+  if (own != nullptr) {
+    statistics.objects = own->size();
+    statistics.object_bytes = own->bytes();
+  }
+  if (tracer != nullptr) {
+    statistics.cache_hits = tracer->cache_hits();
+    statistics.cache_misses = tracer->cache_misses();
+  }
+  outbox->Send(kHost, Encode(statistics));
+}
+
+bool TraceProcess::Impl::AskForWork(Outbox* outbox) {
+  if (!AsksForWork(options.schedule) || requests >= kRequestsAhead) return false;
+  if (!ShortOfWork(queue.size(), waiting_rays, options.pyramid)) return false;
+  ++requests;
+  outbox->Send(kHost, Encode(WorkRequest{}));
+  return true;
+}
+
+bool TraceProcess::Impl::Work(Outbox* outbox) {
+  if (tracer == nullptr || stopped) return false;
+  AskForWork(outbox);
+  if (++steps % kStepsPerFlush == 0) packer->Flush(outbox);
+  // What frees memory goes first: cells that rays wait for, hits that others found, then the
+  // deepest rays.
+  if (!arrived_cells.empty()) {
+    CellReply reply = std::move(arrived_cells.front());
+    arrived_cells.pop_front();
+    TakeCell(std::move(reply), outbox);
+  } else if (!transferred.empty()) {
+    RayQueue rays;
+    transferred.Pop(kRaysPerStep, &rays);
+    LocateHits(rays);
+  } else if (RayQueue rays; queue.Pop(&rays)) {
+    TraceStep(&rays, outbox);
+  } else {
+    packer->Flush(outbox);
+    return false;
+  }
+  ShadeHits(outbox);
+  RequestCells(outbox);
+  NoteBytes();
+  return true;
+}
+
+void TraceProcess::Impl::NoteBytes() {
+  const uint64_t bytes =
+      own->bytes() + cache->bytes() + tracer->bytes() + queue.bytes() + transferred.bytes() +
+      pending.bytes() + packer->bytes() + waiting_rays * (sizeof(Ray) + sizeof(Travel)) +
+      (waiting_shades.size() - free_waiting_shades.size()) * sizeof(WaitingShade);
+  statistics.bytes_held_max = std::max(statistics.bytes_held_max, bytes);
+}
+
+}  // namespace rayshade::parallel

@@ -1,0 +1,52 @@
+// Crossings of shadow rays; see crossing.h.
+#include "rayshade/shade/crossing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rayshade/shade/shade.h"
+
+namespace rayshade {
+
+void CollectCrossings(const Scene& scene, const ObjectSet& set, const Ray& shadow, double limit,
+                      std::vector<ShadowCrossing>* crossings, OpCounts* counts) {
+  Ray rest = shadow;
+  for (;;) {
+    Hit hit;
+    hit.distance = limit;
+    set.Nearest({&rest, 1}, {&hit, 1}, counts);
+    if (!hit.found()) return;
+    SurfaceHit resolved;
+    ResolveHit(scene, rest, hit, &resolved);
+    ShadowCrossing crossing;
+    crossing.distance = hit.distance;
+    crossing.rank = hit.rank;
+    crossing.through = resolved.surface().transp * resolved.surface().body;
+    crossing.extinct = resolved.surface().extinct;
+    crossing.entering = resolved.entering;
+    crossing.opaque = resolved.bound_transp < kEpsilon;
+    crossings->push_back(crossing);
+    if (crossing.opaque) return;
+    rest.min_distance = std::nextafter(hit.distance, kFar);
+  }
+}
+
+std::optional<Color> FoldCrossings(std::vector<ShadowCrossing>* crossings, Color light) {
+  std::sort(crossings->begin(), crossings->end());
+  const ShadowCrossing* medium = nullptr;  // what the ray is inside of
+  double from = 0;
+  for (const ShadowCrossing& c : *crossings) {
+    if (c.distance < from) continue;  // within kEpsilon of the last one: not met by a ray that starts behind it
+    if (c.opaque) return std::nullopt;
+    if (medium != nullptr && medium->extinct != 1) {
+      light = std::pow(medium->extinct, c.distance - from) * light;
+    }
+    medium = c.entering ? &c : nullptr;
+    light = light * c.through;
+    if (light.r < kEpsilon && light.g < kEpsilon && light.b < kEpsilon) return std::nullopt;
+    from = c.distance + kEpsilon;
+  }
+  return light;
+}
+
+}  // namespace rayshade
