@@ -1,8 +1,6 @@
 // Diagnostics on a stream; see diagnostics.h.
 #include "rayshade/common/diagnostics.h"
 
-#include <algorithm>
-
 namespace rayshade {
 
 void Diagnostics::Report(Severity severity, const Place& place, const std::string& text) {
@@ -17,12 +15,12 @@ void Diagnostics::Report(Severity severity, const Place& place, const std::strin
     case Severity::kError:
       kind = "Error";
       ++errors_;
-      exit_status_ = std::max(exit_status_, 1);
+      if (exit_status_ == 0) exit_status_ = 1;
       break;
     case Severity::kFatal:
       kind = "Fatal error";
       ++errors_;
-      exit_status_ = 2;
+      if (exit_status_ == 0) exit_status_ = 2;
       break;
   }
   if (place.line > 0) {
@@ -35,7 +33,7 @@ void Diagnostics::Report(Severity severity, const Place& place, const std::strin
 
 void Diagnostics::ReportSyntax(const Place& place, const std::string& text) {
   ++errors_;
-  exit_status_ = std::max(exit_status_, 1);
+  if (exit_status_ == 0) exit_status_ = 1;
   std::fprintf(stream_, "%s: Error: %s: line %d: %s\n", program_.c_str(), place.file.c_str(),
                place.line, text.c_str());
 }

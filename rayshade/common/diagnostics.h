@@ -33,8 +33,9 @@ class Diagnostics {
   void set_quiet(bool quiet) { quiet_ = quiet; }
   int errors() const { return errors_; }
   int warnings() const { return warnings_; }
-  // 0 without errors, 1 with errors, 2 with a fatal one.
+  // 0 without errors, else that of the first one (1 error, 2 fatal): Rayshade stopped there.
   int exit_status() const { return exit_status_; }
+  std::FILE* stream() const { return stream_; }  // for `print`, which no option silences
 
  private:
   std::string program_;

@@ -53,6 +53,7 @@ class Expression {
   explicit Expression(std::vector<ExpressionStep> steps) : steps_(std::move(steps)) {}
 
   bool varies() const;  // contains kTime, kFrame or kLinear
+  // Throws std::runtime_error for a remainder of a division by zero.
   double Evaluate(const Moment& moment) const;
   const std::vector<ExpressionStep>& steps() const { return steps_; }
   bool operator==(const Expression&) const = default;
@@ -63,6 +64,11 @@ class Expression {
 
 // An operation applied to expressions; folded to a number where no argument varies (kLinear always
 // varies).
+// Surplus arguments are ignored. REQUIRES: at least RequiredArguments(op) of them.
 Expression Apply(ExpressionOp op, const std::vector<Expression>& arguments);
+int RequiredArguments(ExpressionOp op);
+
+// As C truncates a double to int, but for numbers outside of int, which go to its ends (NaN: 0).
+int TruncateToInt(double number);
 
 }  // namespace rayshade

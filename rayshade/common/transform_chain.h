@@ -20,6 +20,9 @@ struct AnimatedTransform {
   bool operator==(const AnimatedTransform&) const = default;
 };
 
+// Throws std::runtime_error("Degenerate scale …" or "Singular matrix."). arguments: 3, 4 or 12.
+Transform MakeTransform(TransformKind kind, const double* arguments);
+
 using TransformLink = std::variant<Transform, AnimatedTransform>;
 
 class TransformChain {

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "rayshade/common/diagnostics.h"
@@ -16,5 +17,9 @@ namespace rayshade {
 // than one. Returns false where there were errors (all reported through diagnostics); the sink then
 // has seen an incomplete scene and OnSettings was not called.
 bool ParseScene(const Options& options, Diagnostics* diagnostics, SceneSink* sink);
+
+// The same for a text in memory, without preprocessor; messages call it options.input, or stdin.
+bool ParseText(std::string_view text, const Options& options, Diagnostics* diagnostics,
+               SceneSink* sink);
 
 }  // namespace rayshade

@@ -1,0 +1,52 @@
+// Everything that the actions of the grammar work on. One for each file that is read.
+#pragma once
+
+#include "rayshade/scene/lights.h"
+#include "rayshade/scene/objects.h"
+#include "rayshade/scene/options.h"
+#include "rayshade/scene/symbols.h"
+
+namespace rayshade {
+
+class ParserContext {
+ public:
+  ParserContext(const Options& options, ReadBytes read, std::string file, Diagnostics* diagnostics,
+                SceneSink* sink);
+
+  // Reads the whole input.
+  void Read();
+  // Then: hands on the settings of file and command line. False where there were errors.
+  bool Complete();
+
+  // For the grammar.
+  void SyntaxError(const char* text) { reporter.Syntax(text); }
+  int Recover(int token, bool in_body);
+  void EndItem() { symbols.EndItem(); }
+  void NameOutput(NameId file);
+  void NameReport(NameId file);
+  void SetReportFrequency(int lines);
+  void SetQuiet();
+  void Print(double number);
+  std::shared_ptr<const ColorMap> ReadMap(NameId file);
+  void BeginImage(NameId file);
+  void SetComponent(ImageComponent component);
+
+  Lexer lexer;
+  Reporter reporter;
+  GatedSink sink;
+  Settings settings;
+  Symbols symbols;
+  Surfaces surfaces;
+  DataFiles files;
+  Objects objects;
+  Lights lights;
+  Air air;
+  MappingSpec mapping;  // the last one read
+  ImageSpec image;      // in the making
+
+ private:
+  const Options& options_;
+  bool output_named_ = false;
+};
+
+}  // namespace rayshade
