@@ -69,7 +69,7 @@ GENERATED := $(OBJ)/gen/grammar.o $(OBJ)/gen/lexer.o
 $(OBJ)/gen/%.o: $(GEN)/rayshade/scene/%.cc $(GEN)/rayshade/scene/grammar.h
 	@mkdir -p $(@D)
 	$(CXX) $(CPPFLAGS) $(CXXFLAGS) -Wno-error -w -c -o $@ $<
-$(OBJ)/rayshade/scene/%.o: | $(GEN)/rayshade/scene/grammar.h
+$(call object,$(wildcard rayshade/scene/*.cc)): | $(GEN)/rayshade/scene/grammar.h
 
 # One kernel source per instruction set; which one runs is decided at start (accel/).
 $(OBJ)/rayshade/accel/%_avx2.o: CXXFLAGS += -O3 -mavx2
