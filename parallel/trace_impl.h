@@ -81,9 +81,9 @@ struct TraceProcess::Impl {
   void RequestCells(Outbox* outbox);
 
   // trace_shading.cc
+  bool Arrives(CellTracer::Shadow* shadow);
   void ShadeHits(Outbox* outbox);
   void TraceShadows(std::vector<uint32_t>* first);
-  void FollowShadows(std::span<CellTracer::Shadow> some);
   void PutAside(size_t i, std::span<const uint32_t> first);
   void ResumeShadows(const std::vector<std::pair<uint32_t, uint32_t>>& shadows, CellId cell,
                      Outbox* outbox);

@@ -6,6 +6,20 @@
 
 namespace rayshade::parallel {
 
+// A shadow ray has come to its end: what arrives of the light. False: nothing.
+bool TraceProcess::Impl::Arrives(CellTracer::Shadow* shadow) {
+  const bool arrives = [&] {
+    if (shadow->blocked) return false;
+    if (shadow->crossings == nullptr || shadow->crossings->empty()) return true;
+    if (!scene->settings().shadow_transparency) return false;
+    const std::optional<Color> rest = FoldCrossings(shadow->crossings, shadow->shadow->color);
+    if (rest) shadow->shadow->color = *rest;
+    return rest.has_value();
+  }();
+  counts.shadow_hits += !arrives;
+  return arrives;
+}
+
 // Shades the batch of resolved hits: shadow rays are traced here, where they are spawned [RJ s.4].
 void TraceProcess::Impl::ShadeHits(Outbox* outbox) {
   if (batch.empty()) return;
@@ -62,12 +76,7 @@ void TraceProcess::Impl::TraceShadows(std::vector<uint32_t>* first) {
     for (size_t k = 0; k < some.size(); ++k) {
       const uint32_t s = which[k];
       halted[s] = some[k].halt.cell;
-      if (halted[s] != kNoCell) continue;
-      arrived[s] = !some[k].blocked;
-      if (some[k].blocked || some[k].crossings == nullptr) continue;
-      const std::optional<Color> rest = FoldCrossings(some[k].crossings, shadows[s].color);
-      arrived[s] = rest.has_value();
-      if (rest) shadows[s].color = *rest;
+      if (halted[s] == kNoCell) arrived[s] = Arrives(&some[k]);
     }
   }
 }
@@ -119,12 +128,7 @@ void TraceProcess::Impl::ResumeShadows(const std::vector<std::pair<uint32_t, uin
       WaitFor(some[k].halt.cell).shadows.emplace_back(slot, s);
       continue;
     }
-    shade.arrived[s] = !some[k].blocked;
-    if (!some[k].blocked && some[k].crossings != nullptr) {
-      const std::optional<Color> rest = FoldCrossings(some[k].crossings, shade.shadows[s].color);
-      shade.arrived[s] = rest.has_value();
-      if (rest) shade.shadows[s].color = *rest;
-    }
+    shade.arrived[s] = Arrives(&some[k]);
     if (--shade.unknown > 0) continue;
     const std::unique_ptr<WaitingShade> done = std::move(waiting_shades[slot]);
     free_waiting_shades.push_back(slot);
