@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "rayshade/common/bounds.h"
@@ -34,7 +35,8 @@ enum class Stamp : uint8_t { kNone, kEntering, kLeaving };
 
 // A hit, in the space of the primitive hit.
 struct HitPath {
-  const Geom* primitive = nullptr;
+  const Geom* primitive = nullptr;   // null for a flat object without textures (accel/)
+  std::shared_ptr<const Geom> keep;  // owns primitive where it was made for this description only
   ObjectRay ray;
   double distance = 0;
   Vector point;             // ray.origin + distance * ray.direction

@@ -1,0 +1,204 @@
+// Placed objects and the hierarchy over them; see object_set.h.
+#include "rayshade/accel/object_set.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rayshade/accel/build.h"
+#include "rayshade/accel/other_objects.h"
+#include "rayshade/accel/stored_objects.h"
+#include "rayshade/accel/trace_view.h"
+#include "rayshade/common/check.h"
+#include "rayshade/geom/make_geom.h"
+
+namespace rayshade {
+
+namespace {
+
+constexpr uint32_t kSampled = 1024;  // objects looked at for the center
+
+// The medians of a sample of the objects' places, so that a few huge objects do not cost the others
+// their digits.
+void FindCenter(const StoredObjects& objects, double center[3]) {
+  const uint32_t count = static_cast<uint32_t>(objects.size());
+  const uint32_t step = std::max(1u, count / kSampled);
+  std::vector<double> places[3];
+  for (uint32_t i = 0; i < count; i += step) {
+    const Bounds box = objects.WorldBox(i);
+    if (box.empty()) continue;
+    for (int axis = 0; axis < 3; ++axis) {
+      places[axis].push_back(0.5 * (box.low[axis] + box.high[axis]));
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double>& p = places[axis];
+    center[axis] = 0;
+    if (p.empty()) continue;
+    std::nth_element(p.begin(), p.begin() + p.size() / 2, p.end());
+    if (std::isfinite(p[p.size() / 2])) center[axis] = p[p.size() / 2];
+  }
+}
+
+}  // namespace
+
+struct ObjectSet::Impl {
+  explicit Impl(const Scene* scene) : objects(scene) {}
+
+  StoredObjects objects;
+  GrowingArray<Node> nodes;
+  std::vector<uint32_t> unbounded;
+  std::vector<uint8_t> opaque;  // by placement
+  Bounds bounds;
+  OtherObjects others{&objects};
+  TraceView view;
+  const Kernels* kernels = nullptr;  // since Build
+
+  void Build();
+  void FindOpaque();
+};
+
+void ObjectSet::Impl::Build() {
+  CHECK(kernels == nullptr);
+  kernels = &ChooseKernels();
+  objects.Settle();
+  FindOpaque();
+  FindCenter(objects, view.center);
+  for (uint32_t i = 0; i < objects.size(); ++i) {
+    if (!objects.is_sphere(i) && !others.bounded(i)) continue;
+    bounds.Include(objects.WorldBox(i));
+  }
+  // The hierarchy.
+  std::vector<BuildRef> refs = objects.RefsOfBounded(view.center);
+  BuildInput input;
+  std::copy(view.center, view.center + 3, input.center);
+  input.spheres = {objects.spheres().data(), objects.spheres().size()};
+  input.keys = {objects.keys().data(), objects.sphere_count()};
+  input.growth = objects.growth();
+  input.refs = refs;
+  BuildOutput built = BuildHierarchy(input);
+  nodes = std::move(built.nodes);
+  objects.leaf_begins = std::move(built.leaf_begins);
+  // Objects in the order of its leaves.
+  const uint32_t spheres = objects.sphere_count();
+  for (uint32_t i = spheres + objects.Permute(refs); i < objects.size(); ++i) {
+    if (!others.bounded(i)) unbounded.push_back(i);
+  }
+  for (Node& node : nodes) {
+    for (int i = 0; i < kNodeWidth; ++i) {
+      if (node.kind[i] > kSphereLeaf) node.child[i] += spheres;
+    }
+  }
+  // What the kernels see.
+  view.nodes = nodes.data();
+  view.node_count = static_cast<uint32_t>(nodes.size());
+  view.set = &others;
+  view.spheres = spheres == 0 ? nullptr : &objects.spheres()[0].x;
+  view.keys = objects.keys().data();
+  view.unbounded = unbounded.data();
+  view.unbounded_count = static_cast<uint32_t>(unbounded.size());
+  view.opaque = opaque.data();
+  view.callbacks = OtherObjects::Callbacks();
+}
+
+void ObjectSet::Impl::FindOpaque() {
+  const Scene& scene = objects.scene();
+  view.all_opaque = !scene.any_transparent;
+  opaque.resize(scene.spec.placements.size());
+  for (PlacementId i = 0; i < opaque.size(); ++i) {
+    opaque[i] = !(scene.bound_surface(scene.placement(i).surface).transp >= kEpsilon);
+  }
+  others.set_opaque(&opaque, view.all_opaque);
+}
+
+ObjectSet::ObjectSet(const Scene* scene) : impl_(std::make_unique<Impl>(scene)) {}
+ObjectSet::~ObjectSet() = default;
+ObjectSet::ObjectSet(ObjectSet&&) noexcept = default;
+ObjectSet& ObjectSet::operator=(ObjectSet&&) noexcept = default;
+
+void ObjectSet::Add(const GeomSpec& spec, PlacementId placement, Rank rank) {
+  impl_->objects.Add(spec, {placement, rank});
+}
+
+void ObjectSet::Add(std::shared_ptr<const Geom> member, PlacementId placement, Rank rank) {
+  impl_->objects.Add(std::move(member), {placement, rank});
+}
+
+void ObjectSet::ResolveAll(const Resolve& resolve) { impl_->objects.Resolve(resolve); }
+
+void ObjectSet::Build() { impl_->Build(); }
+
+void ObjectSet::Nearest(std::span<const Ray> rays, std::span<Hit> hits, OpCounts* counts) const {
+  CHECK(impl_->kernels != nullptr && rays.size() == hits.size());
+  TraceView view = impl_->view;
+  view.owner = this;
+  impl_->kernels->nearest(view, rays.data(), hits.data(), static_cast<uint32_t>(rays.size()),
+                          counts);
+}
+
+void ObjectSet::Block(std::span<const Ray> rays, std::span<const double> limits,
+                      std::span<uint8_t> blocked, OpCounts* counts) const {
+  CHECK(impl_->kernels != nullptr && rays.size() == limits.size() &&
+        rays.size() == blocked.size());
+  impl_->kernels->block(impl_->view, rays.data(), limits.data(), blocked.data(),
+                        static_cast<uint32_t>(rays.size()), counts);
+}
+
+void ObjectSet::Describe(const Ray& ray, const Hit& hit, HitPath* path) const {
+  CHECK(hit.set == this);
+  impl_->others.Describe(ray, hit.object, hit.distance, path);
+}
+
+PlacementId ObjectSet::placement_of(uint32_t object) const {
+  return impl_->objects.key(object).placement;
+}
+
+void ObjectSet::ForEachIn(const Bounds& box,
+                          const std::function<void(uint32_t object)>& visit) const {
+  if (impl_->nodes.empty()) return;
+  float low[3], high[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    low[axis] = RoundedDown(box.low[axis] - impl_->view.center[axis]);
+    high[axis] = RoundedUp(box.high[axis] - impl_->view.center[axis]);
+  }
+  std::vector<uint32_t> stack{0};
+  while (!stack.empty()) {
+    const Node& node = impl_->nodes[stack.back()];
+    stack.pop_back();
+    for (int i = 0; i < kNodeWidth; ++i) {
+      bool apart = node.kind[i] == kEmptySlot;
+      for (int axis = 0; axis < 3; ++axis) {
+        apart |= node.plane[axis][i] > high[axis] || node.plane[3 + axis][i] < low[axis];
+      }
+      if (apart) continue;
+      if (node.kind[i] == kInnerNode) {
+        stack.push_back(node.child[i]);
+        continue;
+      }
+      for (uint32_t k = node.child[i]; k < node.child[i] + node.count[i]; ++k) {
+        if (impl_->objects.WorldBox(k).Overlaps(box)) visit(k);
+      }
+    }
+  }
+}
+
+ObjectSet::Entry ObjectSet::entry(uint32_t object) const {
+  const StoredObjects& objects = impl_->objects;
+  Entry entry{objects.SpecOf(object), nullptr, objects.key(object).placement,
+              objects.key(object).rank};
+  if (!objects.is_sphere(object) && objects.item(object).kind == kOtherLeaf) {
+    const OtherObject& other = objects.other(objects.item(object));
+    if (!other.spec) entry.member = other.geom;
+  }
+  return entry;
+}
+
+size_t ObjectSet::size() const { return impl_->objects.size(); }
+
+size_t ObjectSet::bytes() const {
+  return sizeof *this + sizeof(Impl) + impl_->objects.bytes() + impl_->nodes.bytes() +
+         impl_->unbounded.capacity() * sizeof(uint32_t) + impl_->opaque.capacity();
+}
+
+Bounds ObjectSet::bounds() const { return impl_->bounds; }
+
+}  // namespace rayshade

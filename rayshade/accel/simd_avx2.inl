@@ -1,0 +1,55 @@
+// Eight floats and eight doubles with AVX2; see simd_plain.inl. No fused multiply-add, so that the bits are the same.
+struct F8 {
+  __m256 v;
+};
+struct D8 {
+  __m256d a, b;
+};
+
+RAYSHADE_KERNEL F8 LoadF(const float* p) { return {_mm256_loadu_ps(p)}; }
+RAYSHADE_KERNEL F8 SetF(float x) { return {_mm256_set1_ps(x)}; }
+RAYSHADE_KERNEL void Store(F8 a, float* p) { _mm256_storeu_ps(p, a.v); }
+RAYSHADE_KERNEL F8 operator-(F8 a, F8 b) { return {_mm256_sub_ps(a.v, b.v)}; }
+RAYSHADE_KERNEL F8 operator*(F8 a, F8 b) { return {_mm256_mul_ps(a.v, b.v)}; }
+RAYSHADE_KERNEL F8 Min(F8 a, F8 b) { return {_mm256_min_ps(a.v, b.v)}; }
+RAYSHADE_KERNEL F8 Max(F8 a, F8 b) { return {_mm256_max_ps(a.v, b.v)}; }
+RAYSHADE_KERNEL uint32_t LessEqual(F8 a, F8 b) {
+  return static_cast<uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)));
+}
+
+RAYSHADE_KERNEL D8 LoadD(const double* p) { return {_mm256_loadu_pd(p), _mm256_loadu_pd(p + 4)}; }
+RAYSHADE_KERNEL D8 SetD(double x) { return {_mm256_set1_pd(x), _mm256_set1_pd(x)}; }
+RAYSHADE_KERNEL void Store(D8 a, double* p) {
+  _mm256_storeu_pd(p, a.a);
+  _mm256_storeu_pd(p + 4, a.b);
+}
+RAYSHADE_KERNEL D8 operator+(D8 a, D8 b) {
+  return {_mm256_add_pd(a.a, b.a), _mm256_add_pd(a.b, b.b)};
+}
+RAYSHADE_KERNEL D8 operator-(D8 a, D8 b) {
+  return {_mm256_sub_pd(a.a, b.a), _mm256_sub_pd(a.b, b.b)};
+}
+RAYSHADE_KERNEL D8 operator*(D8 a, D8 b) {
+  return {_mm256_mul_pd(a.a, b.a), _mm256_mul_pd(a.b, b.b)};
+}
+RAYSHADE_KERNEL D8 operator/(D8 a, D8 b) {
+  return {_mm256_div_pd(a.a, b.a), _mm256_div_pd(a.b, b.b)};
+}
+RAYSHADE_KERNEL D8 Sqrt(D8 a) { return {_mm256_sqrt_pd(a.a), _mm256_sqrt_pd(a.b)}; }
+RAYSHADE_KERNEL uint32_t Bits(__m256d a, __m256d b) {
+  return static_cast<uint32_t>(_mm256_movemask_pd(a) | _mm256_movemask_pd(b) << 4);
+}
+RAYSHADE_KERNEL uint32_t LessEqual(D8 a, D8 b) {
+  return Bits(_mm256_cmp_pd(a.a, b.a, _CMP_LE_OQ), _mm256_cmp_pd(a.b, b.b, _CMP_LE_OQ));
+}
+RAYSHADE_KERNEL uint32_t Less(D8 a, D8 b) {
+  return Bits(_mm256_cmp_pd(a.a, b.a, _CMP_LT_OQ), _mm256_cmp_pd(a.b, b.b, _CMP_LT_OQ));
+}
+RAYSHADE_KERNEL __m256d Lanes(uint32_t mask) {
+  const __m256i bit = _mm256_setr_epi64x(1, 2, 4, 8);
+  const __m256i set = _mm256_and_si256(_mm256_set1_epi64x(mask), bit);
+  return _mm256_castsi256_pd(_mm256_cmpeq_epi64(set, bit));
+}
+RAYSHADE_KERNEL D8 Choose(uint32_t mask, D8 a, D8 b) {
+  return {_mm256_blendv_pd(b.a, a.a, Lanes(mask)), _mm256_blendv_pd(b.b, a.b, Lanes(mask >> 4))};
+}

@@ -1,0 +1,102 @@
+// Eight floats and eight doubles without any instruction set in particular. The three simd_*.inl define the same
+// types and functions; the kernels (trace.inl) are written on top of them. Comparisons give one bit per lane.
+// Min and Max return the second argument where one is not a number.
+struct F8 {
+  float v[8];
+};
+struct D8 {
+  double v[8];
+};
+
+#define RAYSHADE_LANES for (int i = 0; i < 8; ++i)
+
+RAYSHADE_KERNEL F8 LoadF(const float* p) {
+  F8 r;
+  RAYSHADE_LANES r.v[i] = p[i];
+  return r;
+}
+RAYSHADE_KERNEL F8 SetF(float x) {
+  F8 r;
+  RAYSHADE_LANES r.v[i] = x;
+  return r;
+}
+RAYSHADE_KERNEL void Store(F8 a, float* p) { RAYSHADE_LANES p[i] = a.v[i]; }
+RAYSHADE_KERNEL F8 operator-(F8 a, F8 b) {
+  F8 r;
+  RAYSHADE_LANES r.v[i] = a.v[i] - b.v[i];
+  return r;
+}
+RAYSHADE_KERNEL F8 operator*(F8 a, F8 b) {
+  F8 r;
+  RAYSHADE_LANES r.v[i] = a.v[i] * b.v[i];
+  return r;
+}
+RAYSHADE_KERNEL F8 Min(F8 a, F8 b) {
+  F8 r;
+  RAYSHADE_LANES r.v[i] = a.v[i] < b.v[i] ? a.v[i] : b.v[i];
+  return r;
+}
+RAYSHADE_KERNEL F8 Max(F8 a, F8 b) {
+  F8 r;
+  RAYSHADE_LANES r.v[i] = a.v[i] > b.v[i] ? a.v[i] : b.v[i];
+  return r;
+}
+RAYSHADE_KERNEL uint32_t LessEqual(F8 a, F8 b) {
+  uint32_t r = 0;
+  RAYSHADE_LANES r |= static_cast<uint32_t>(a.v[i] <= b.v[i]) << i;
+  return r;
+}
+
+RAYSHADE_KERNEL D8 LoadD(const double* p) {
+  D8 r;
+  RAYSHADE_LANES r.v[i] = p[i];
+  return r;
+}
+RAYSHADE_KERNEL D8 SetD(double x) {
+  D8 r;
+  RAYSHADE_LANES r.v[i] = x;
+  return r;
+}
+RAYSHADE_KERNEL void Store(D8 a, double* p) { RAYSHADE_LANES p[i] = a.v[i]; }
+RAYSHADE_KERNEL D8 operator+(D8 a, D8 b) {
+  D8 r;
+  RAYSHADE_LANES r.v[i] = a.v[i] + b.v[i];
+  return r;
+}
+RAYSHADE_KERNEL D8 operator-(D8 a, D8 b) {
+  D8 r;
+  RAYSHADE_LANES r.v[i] = a.v[i] - b.v[i];
+  return r;
+}
+RAYSHADE_KERNEL D8 operator*(D8 a, D8 b) {
+  D8 r;
+  RAYSHADE_LANES r.v[i] = a.v[i] * b.v[i];
+  return r;
+}
+RAYSHADE_KERNEL D8 operator/(D8 a, D8 b) {
+  D8 r;
+  RAYSHADE_LANES r.v[i] = a.v[i] / b.v[i];
+  return r;
+}
+RAYSHADE_KERNEL D8 Sqrt(D8 a) {
+  D8 r;
+  RAYSHADE_LANES r.v[i] = __builtin_sqrt(a.v[i]);
+  return r;
+}
+RAYSHADE_KERNEL uint32_t LessEqual(D8 a, D8 b) {
+  uint32_t r = 0;
+  RAYSHADE_LANES r |= static_cast<uint32_t>(a.v[i] <= b.v[i]) << i;
+  return r;
+}
+RAYSHADE_KERNEL uint32_t Less(D8 a, D8 b) {
+  uint32_t r = 0;
+  RAYSHADE_LANES r |= static_cast<uint32_t>(a.v[i] < b.v[i]) << i;
+  return r;
+}
+// a where the bit is set, b elsewhere.
+RAYSHADE_KERNEL D8 Choose(uint32_t mask, D8 a, D8 b) {
+  D8 r;
+  RAYSHADE_LANES r.v[i] = (mask >> i & 1) ? a.v[i] : b.v[i];
+  return r;
+}
+#undef RAYSHADE_LANES

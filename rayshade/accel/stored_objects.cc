@@ -1,0 +1,305 @@
+// Holding objects; see stored_objects.h.
+#include "rayshade/accel/stored_objects.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rayshade/common/check.h"
+#include "rayshade/geom/make_geom.h"
+
+namespace rayshade {
+
+namespace {
+
+// Hits on objects other than spheres are off by less than this part of their coordinates.
+constexpr double kRounding = 1e-10;
+
+double LargestCoordinate(const Bounds& b) {
+  return std::max({std::abs(b.low.x), std::abs(b.low.y), std::abs(b.low.z), std::abs(b.high.x),
+                   std::abs(b.high.y), std::abs(b.high.z)});
+}
+
+// All ranks in ascending or in descending order, as scene files give them.
+bool Ordered(const GrowingArray<ObjectKey>& keys) {
+  const auto before = [](const ObjectKey& a, const ObjectKey& b) { return a.rank < b.rank; };
+  const auto after = [](const ObjectKey& a, const ObjectKey& b) { return a.rank > b.rank; };
+  const auto none_equal = [](const auto* begin, const auto* end) {
+    return std::adjacent_find(begin, end, [](const ObjectKey& a, const ObjectKey& b) {
+             return a.rank == b.rank;
+           }) == end;
+  };
+  return (std::is_sorted(keys.begin(), keys.end(), before) ||
+          std::is_sorted(keys.begin(), keys.end(), after)) &&
+         none_equal(keys.begin(), keys.end());
+}
+
+}  // namespace
+
+void StoredObjects::Add(const GeomSpec& spec, ObjectKey key) {
+  if (const auto* s = std::get_if<SphereSpec>(&spec)) {
+    spheres_.push_back({s->center.x, s->center.y, s->center.z, s->radius});
+    keys_.push_back(key);
+  } else if (const auto* t = std::get_if<TriangleSpec>(&spec)) {
+    items_.push_back({kTriangleLeaf, static_cast<uint32_t>(triangles_.size())});
+    item_keys_.push_back(key);
+    triangles_.push_back({MakeTriangleShape(t->point, t->flip), t->flip});
+  } else if (const auto* p = std::get_if<PolygonSpec>(&spec)) {
+    items_.push_back({kPolygonLeaf, static_cast<uint32_t>(polygons_.size())});
+    item_keys_.push_back(key);
+    polygons_.push_back({MakePolygonPlane(p->points, p->flip),
+                         static_cast<uint32_t>(points_.size()),
+                         static_cast<uint32_t>(p->points.size()), p->flip});
+    points_.insert(points_.end(), p->points.begin(), p->points.end());
+  } else {
+    OtherObject other;
+    other.spec = std::make_unique<const GeomSpec>(spec);
+    AddOther(std::move(other), key);
+  }
+}
+
+void StoredObjects::Add(std::shared_ptr<const Geom> member, ObjectKey key) {
+  OtherObject other;
+  other.geom = std::move(member);
+  AddOther(std::move(other), key);
+}
+
+void StoredObjects::AddOther(OtherObject&& other, ObjectKey key) {
+  items_.push_back({kOtherLeaf, static_cast<uint32_t>(others_.size())});
+  item_keys_.push_back(key);
+  others_.push_back(std::move(other));
+}
+
+void StoredObjects::Resolve(const ObjectSet::Resolve& resolve) {
+  for (GrowingArray<ObjectKey>* keys : {&keys_, &item_keys_}) {
+    for (ObjectKey& key : *keys) {
+      const auto [placement, rank] = resolve(key.placement, key.rank);
+      key = {placement, rank};
+    }
+  }
+}
+
+void StoredObjects::Settle() {
+  CHECK(keys_.size() == spheres_.size());
+  growth_.resize(scene_->spec.placements.size());
+  for (PlacementId i = 0; i < growth_.size(); ++i) {
+    const Placement& placement = scene_->placement(i);
+    if (placement.in_place) growth_[i] = WorldBounds(placement, {{}, {}}, scene_->shutter).high.x;
+  }
+  if (items_.size() > 0 || !Ordered(keys_)) RemoveDuplicates();
+  SettleSpheres();
+  SettleItems();
+}
+
+// Drops all but the first object of each rank.
+void StoredObjects::RemoveDuplicates() {
+  std::vector<Rank> ranks;
+  ranks.reserve(size());
+  for (const ObjectKey& key : keys_) ranks.push_back(key.rank);
+  for (const ObjectKey& key : item_keys_) ranks.push_back(key.rank);
+  std::sort(ranks.begin(), ranks.end());
+  std::vector<Rank> twice;
+  for (size_t i = 1; i < ranks.size(); ++i) {
+    if (ranks[i] == ranks[i - 1] && (twice.empty() || twice.back() != ranks[i])) {
+      twice.push_back(ranks[i]);
+    }
+  }
+  if (twice.empty()) return;
+  std::vector<bool> seen(twice.size());
+  const auto keep = [&](Rank rank) {
+    const auto at = std::lower_bound(twice.begin(), twice.end(), rank);
+    if (at == twice.end() || *at != rank) return true;
+    const bool first = !seen[at - twice.begin()];
+    seen[at - twice.begin()] = true;
+    return first;
+  };
+  uint32_t kept = 0;
+  for (uint32_t i = 0; i < spheres_.size(); ++i) {
+    if (!keep(keys_[i].rank)) continue;
+    spheres_[kept] = spheres_[i];
+    keys_[kept++] = keys_[i];
+  }
+  spheres_.resize(kept);
+  keys_.resize(kept);
+  kept = 0;
+  for (uint32_t i = 0; i < items_.size(); ++i) {
+    if (!keep(item_keys_[i].rank)) continue;
+    items_[kept] = items_[i];
+    item_keys_[kept++] = item_keys_[i];
+  }
+  items_.resize(kept);
+  item_keys_.resize(kept);
+}
+
+// Spheres that do not stand in place become other objects.
+void StoredObjects::SettleSpheres() {
+  uint32_t kept = 0;
+  for (uint32_t i = 0; i < spheres_.size(); ++i) {
+    if (StaysFlat(keys_[i].placement)) {
+      spheres_[kept] = spheres_[i];
+      keys_[kept++] = keys_[i];
+      continue;
+    }
+    const SphereRecord& s = spheres_[i];
+    OtherObject other;
+    other.spec = std::make_unique<const GeomSpec>(SphereSpec{s.radius, {s.x, s.y, s.z}});
+    AddOther(std::move(other), keys_[i]);
+  }
+  spheres_.resize(kept);
+  keys_.resize(kept);
+  spheres_.ShrinkToFit(2);  // kernels load eight doubles from the last row of a leaf
+}
+
+void StoredObjects::SettleItems() {
+  for (uint32_t i = 0; i < items_.size(); ++i) {
+    Item& item = items_[i];
+    const PlacementId placement = item_keys_[i].placement;
+    if (item.kind != kOtherLeaf) {
+      if (StaysFlat(placement)) continue;
+      OtherObject other;
+      other.spec = std::make_unique<const GeomSpec>(SpecOf(sphere_count() + i));
+      item = {kOtherLeaf, static_cast<uint32_t>(others_.size())};
+      others_.push_back(std::move(other));
+    }
+    OtherObject& other = others_[item.index];
+    if (other.spec) other.geom = MakeGeom(*other.spec, scene_->shutter);
+    other.inclusive = other.geom->inclusive();
+    other.bounded = other.geom->bounded();
+    if (other.bounded) {
+      other.box = rayshade::WorldBounds(scene_->placement(placement), other.geom->bounds(),
+                                        scene_->shutter);
+    }
+  }
+}
+
+std::vector<BuildRef> StoredObjects::RefsOfBounded(const double center[3]) const {
+  std::vector<BuildRef> refs;
+  refs.reserve(items_.size());
+  for (uint32_t i = 0; i < items_.size(); ++i) {
+    if (items_[i].kind == kOtherLeaf && !others_[items_[i].index].bounded) continue;
+    const Bounds box = WorldBox(sphere_count() + i);
+    if (box.empty()) continue;
+    const double margin = kRounding * LargestCoordinate(box);
+    BuildRef ref{};
+    for (int axis = 0; axis < 3; ++axis) {
+      ref.low[axis] = RoundedDown(box.low[axis] - center[axis] - margin);
+      ref.high[axis] = RoundedUp(box.high[axis] - center[axis] + margin);
+    }
+    ref.index = i;
+    ref.kind = items_[i].kind;
+    refs.push_back(ref);
+  }
+  return refs;
+}
+
+uint32_t StoredObjects::Permute(std::span<const BuildRef> refs) {
+  std::vector<uint32_t> order;
+  std::vector<bool> has_ref(items_.size());
+  for (const BuildRef& ref : refs) {
+    order.push_back(ref.index);
+    has_ref[ref.index] = true;
+  }
+  for (uint32_t i = 0; i < items_.size(); ++i) {
+    if (!has_ref[i]) order.push_back(i);
+  }
+  std::vector<Item> items;
+  std::vector<FlatTriangle> triangles;
+  std::vector<FlatPolygon> polygons;
+  std::vector<Vector> points;
+  std::vector<OtherObject> others;
+  items.reserve(items_.size());
+  triangles.reserve(triangles_.size());
+  polygons.reserve(polygons_.size());
+  points.reserve(points_.size());
+  others.reserve(others_.size());
+  keys_.resize(sphere_count() + items_.size());
+  keys_.ShrinkToFit();
+  for (size_t i = 0; i < order.size(); ++i) {
+    const Item& item = items_[order[i]];
+    keys_[sphere_count() + i] = item_keys_[order[i]];
+    if (item.kind == kTriangleLeaf) {
+      items.push_back({item.kind, static_cast<uint32_t>(triangles.size())});
+      triangles.push_back(triangles_[item.index]);
+    } else if (item.kind == kPolygonLeaf) {
+      FlatPolygon polygon = polygons_[item.index];
+      const std::span<const Vector> old = PointsOf(polygon);
+      polygon.first_point = static_cast<uint32_t>(points.size());
+      points.insert(points.end(), old.begin(), old.end());
+      items.push_back({item.kind, static_cast<uint32_t>(polygons.size())});
+      polygons.push_back(polygon);
+    } else {
+      items.push_back({item.kind, static_cast<uint32_t>(others.size())});
+      others.push_back(std::move(others_[item.index]));
+    }
+  }
+  items_ = std::move(items);
+  triangles_ = std::move(triangles);
+  polygons_ = std::move(polygons);
+  points_ = std::move(points);
+  others_ = std::move(others);
+  item_keys_ = GrowingArray<ObjectKey>();
+  return static_cast<uint32_t>(refs.size());
+}
+
+SphereSpec StoredObjects::sphere(uint32_t object) const {
+  if (leaf_begins.empty()) {
+    const SphereRecord& s = spheres_[object];
+    return {s.radius, {s.x, s.y, s.z}};
+  }
+  const auto begins = [&](uint32_t i) { return (leaf_begins[i / 64] >> (i % 64) & 1) != 0; };
+  uint32_t first = object, end = object + 1;
+  while (!begins(first)) --first;
+  while (end < spheres_.size() && !begins(end)) ++end;
+  const double* rows = &spheres_[first].x;
+  const uint32_t count = end - first, at = object - first;
+  return {rows[3 * count + at], {rows[at], rows[count + at], rows[2 * count + at]}};
+}
+
+Bounds StoredObjects::WorldBox(uint32_t object) const {
+  if (is_sphere(object)) {
+    const SphereSpec s = sphere(object);
+    const double r = s.radius + growth_[key(object).placement];
+    return {s.center - Vector{r, r, r}, s.center + Vector{r, r, r}};
+  }
+  const Item& at = item(object);
+  if (at.kind == kOtherLeaf) return others_[at.index].box;
+  Bounds box;
+  if (at.kind == kTriangleLeaf) {
+    for (const Vector& p : triangles_[at.index].shape.point) box.Include(p);
+  } else {
+    for (const Vector& p : PointsOf(polygons_[at.index])) box.Include(p);
+  }
+  box.Grow(growth_[key(object).placement]);
+  return box;
+}
+
+GeomSpec StoredObjects::SpecOf(uint32_t object) const {
+  if (is_sphere(object)) return sphere(object);
+  const Item& at = item(object);
+  if (at.kind == kTriangleLeaf) {
+    const FlatTriangle& t = triangles_[at.index];
+    return TriangleSpec{{t.shape.point[0], t.shape.point[1], t.shape.point[2]}, t.flip};
+  }
+  if (at.kind == kPolygonLeaf) {
+    const FlatPolygon& p = polygons_[at.index];
+    const std::span<const Vector> points = PointsOf(p);
+    return PolygonSpec{{points.begin(), points.end()}, p.flip};
+  }
+  const OtherObject& other = others_[at.index];
+  return other.spec ? *other.spec : GeomSpec{};
+}
+
+size_t StoredObjects::bytes() const {
+  size_t bytes = sizeof *this + spheres_.bytes() + keys_.bytes() + item_keys_.bytes() +
+                 items_.capacity() * sizeof(Item) +
+                 triangles_.capacity() * sizeof(FlatTriangle) +
+                 polygons_.capacity() * sizeof(FlatPolygon) + points_.capacity() * sizeof(Vector) +
+                 others_.capacity() * sizeof(OtherObject) + growth_.capacity() * sizeof(double) +
+                 leaf_begins.bytes();
+  for (const OtherObject& other : others_) {
+    if (other.spec) bytes += sizeof(GeomSpec);
+    if (other.geom) bytes += other.geom->bytes();
+  }
+  return bytes;
+}
+
+}  // namespace rayshade

@@ -1,0 +1,21 @@
+// The kernels of trace.inl compiled for AVX-512.
+#include <immintrin.h>
+
+#include <cstdint>
+
+#include "rayshade/accel/object_set.h"
+#include "rayshade/accel/trace_view.h"
+#include "rayshade/common/op_counts.h"
+#include "rayshade/common/ray.h"
+
+#define RAYSHADE_KERNEL static inline __attribute__((always_inline))
+
+namespace rayshade {
+namespace {
+#include "rayshade/accel/simd_avx512.inl"
+#include "rayshade/accel/trace.inl"
+}  // namespace
+
+const Kernels kAvx512Kernels = {"avx512", Nearest, Block};
+
+}  // namespace rayshade

@@ -1,0 +1,20 @@
+// The kernels of trace.inl compiled without vector instructions in particular.
+
+#include <cstdint>
+
+#include "rayshade/accel/object_set.h"
+#include "rayshade/accel/trace_view.h"
+#include "rayshade/common/op_counts.h"
+#include "rayshade/common/ray.h"
+
+#define RAYSHADE_KERNEL static inline __attribute__((always_inline))
+
+namespace rayshade {
+namespace {
+#include "rayshade/accel/simd_plain.inl"
+#include "rayshade/accel/trace.inl"
+}  // namespace
+
+const Kernels kPlainKernels = {"plain", Nearest, Block};
+
+}  // namespace rayshade

@@ -1,0 +1,82 @@
+// What the kernels see of an object set: plain pointers into its arrays. The kernels are compiled
+// once per instruction set, so this header and what it includes must define no inline function that
+// the linker could take from the wrong one.
+//
+//   1. Boxes of the nodes are relative to `center` and rounded outwards: they contain the object's
+//   world bounds, and so does every computed hit.
+//   2. Leaves hold at most kLeafSize objects of one kind. The spheres of a leaf lie as rows: all x, all y,
+//   all z, all radii.
+//   3. A hit counts if its kind's own test finds it and, farther than kSureDistance along the ray, where rounding
+//   could put it outside of the object's box, if the ray meets that box by the plain slab test: a definition that no
+//   hierarchy enters into, and Rayshade's own [rayshade4/2 s.2.4].
+#pragma once
+
+#include <cstdint>
+
+namespace rayshade {
+
+struct OpCounts;
+struct Ray;
+struct Hit;
+class ObjectSet;
+
+inline constexpr int kNodeWidth = 8;
+inline constexpr int kLeafSize = 8;
+inline constexpr int kDepthMax = 56;  // of the hierarchy
+inline constexpr int kStackSize = (kNodeWidth - 1) * kDepthMax + kNodeWidth;
+inline constexpr double kSureDistance = 1e6;
+
+enum LeafKind : uint8_t { kEmptySlot, kInnerNode, kSphereLeaf, kTriangleLeaf, kPolygonLeaf, kOtherLeaf };
+
+struct alignas(64) Node {
+  float plane[6][kNodeWidth];  // low x, y, z, high x, y, z of each child
+  uint32_t child[kNodeWidth];  // node, or first object
+  uint8_t kind[kNodeWidth];    // LeafKind
+  uint8_t count[kNodeWidth];   // objects of a leaf
+};
+
+struct ObjectKey {
+  uint32_t placement;
+  uint32_t rank;
+};
+
+// The set's own answers, for what is not done in the kernels.
+struct TraceCallbacks {
+  // Objects that go through Geom, and the unbounded ones: improves *hit, or says whether the ray is blocked.
+  void (*nearest_other)(const void* set, const Ray& ray, uint32_t object, double limit, Hit* hit);
+  bool (*blocks_other)(const void* set, const Ray& ray, uint32_t object, double limit);
+  // Does the ray meet the object's world box, and not only beyond this distance?
+  bool (*meets_box)(const void* set, const Ray& ray, uint32_t object, double distance);
+};
+
+struct TraceView {
+  const void* set = nullptr;  // for the callbacks
+  const ObjectSet* owner = nullptr;  // for the hits
+  const Node* nodes = nullptr;
+  uint32_t node_count = 0;
+  double center[3] = {0, 0, 0};
+  const double* spheres = nullptr;
+  const ObjectKey* keys = nullptr;  // of all objects
+  const uint32_t* unbounded = nullptr;
+  uint32_t unbounded_count = 0;
+  const uint8_t* opaque = nullptr;  // by placement
+  bool all_opaque = false;
+  TraceCallbacks callbacks;
+};
+
+// One instruction set's kernels. All give the same bits.
+struct Kernels {
+  const char* name;
+  void (*nearest)(const TraceView& view, const Ray* rays, Hit* hits, uint32_t count, OpCounts* counts);
+  void (*block)(const TraceView& view, const Ray* rays, const double* limits, uint8_t* blocked, uint32_t count,
+                OpCounts* counts);
+};
+
+extern const Kernels kPlainKernels;
+extern const Kernels kAvx2Kernels;
+extern const Kernels kAvx512Kernels;
+
+// The best that this processor has, or what the environment variable RAYSHADE_SIMD (plain, avx2, avx512) names.
+const Kernels& ChooseKernels();
+
+}  // namespace rayshade
