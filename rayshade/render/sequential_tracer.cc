@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "rayshade/common/check.h"
-#include "rayshade/shade/crossing.h"
 
 namespace rayshade {
 namespace {

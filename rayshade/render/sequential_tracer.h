@@ -8,6 +8,7 @@
 
 #include "rayshade/accel/object_set.h"
 #include "rayshade/common/op_counts.h"
+#include "rayshade/shade/crossing.h"
 #include "rayshade/shade/shade.h"
 
 namespace rayshade {
@@ -29,7 +30,7 @@ class ShadowTracer {
 
   const Scene* scene_;
   const ObjectSet* objects_;
-  std::vector<struct ShadowCrossing> crossings_;
+  std::vector<ShadowCrossing> crossings_;
 };
 
 // Traces bundle after bundle; keeps its room from one to the next.
