@@ -171,6 +171,8 @@ void SceneBuilder::OnSettings(const Settings& settings) {
 
 const Settings& SceneBuilder::settings() const { return impl_->skeleton.settings(); }
 
+const Settings& SceneBuilder::settings() const { return impl_->skeleton.settings(); }
+
 SceneBuilder::Built SceneBuilder::Build(int frame) {
   Built built;
   built.scene =

@@ -6,12 +6,12 @@
 //   SpawnShadows    which shadow rays the hit wants, one for each light at most
 //   ShadeLights     folds the lights in visiting order, once all shadow results are there
 //   SpawnSecondary  at most one transmitted and one reflected ray; total reflection, depth limit
-//   and cutoff are
-//                   decided here, before anything is traced
+//                   and cutoff are decided here, before anything is traced
 //   Shade           folds the secondary results (transmitted, then reflected) and the atmosphere
 //
 //   1. All are pure functions of their arguments; none traces a ray.
 //   2. Folding is by slot, never by order of arrival.
+//   3. What a shadow ray goes through on its way is in shade/crossing.h.
 #pragma once
 
 #include <cstdint>
@@ -26,48 +26,60 @@
 
 namespace rayshade {
 
-// A hit in world space, ready for shading [rayshade4/2 s.2.5, rayshade4/3 s.4].
+// A hit in world space, ready for shading [rayshade4/2 s.2.5, rayshade4/3 s.4]. Stays in the
+// process that has the scene: it points into it.
 struct SurfaceHit {
   Vector point;
-  Vector normal;  // shading normal, after textures
-  Vector geometric_normal;
-  bool smooth = false;
-  bool entering = true;
-  Surface surface;  // after textures
+  Vector normal;            // N: shading normal, after textures
+  Vector geometric_normal;  // smooth, textured and transformed: still in primitive space
+  double facing;            // k = -(I . N) of the ray's direction I; may be negative after textures
+  Vector mirror;            // R = I + 2 k N, not normalised
+  bool smooth;
+  bool entering;
+  bool textured;         // `own` holds the surface; it is not set otherwise
+  double bound_transp;   // transp of the surface before textures: shadows ask for that one
+  const Surface* bound;  // in the scene
+  Surface own;
+
+  const Surface& surface() const { return textured ? own : *bound; }
 };
 
-// REQUIRES: hit.found() and hit.set != nullptr.
+// REQUIRES: hit.found() and hit.set != nullptr. path: scratch, so that hits in a row share one.
+void ResolveHit(const Scene& scene, const Ray& ray, const Hit& hit, HitPath* path,
+                SurfaceHit* resolved);
 void ResolveHit(const Scene& scene, const Ray& ray, const Hit& hit, SurfaceHit* resolved);
 
-// One shadow ray that a hit wants, and what arrives if nothing is in its way.
-struct ShadowRay {
-  Ray ray;             // kind kShadow, min_distance kShadowEpsilon
+// What one light does to a hit if nothing is in its way.
+struct LightSample {
+  Vector toward;       // L, for highlights
+  double cosine = 0;   // L . N, or the one that counts in its place
   double limit = 0;    // nothing at or beyond this distance matters
   Color color;         // what arrives unless something is in between
   uint32_t light = 0;  // in visiting order
   bool traced = true;  // false: no shadows here (noshadow, -n): the colour arrives
 };
 
-// Appends the shadow rays of a hit, in visiting order of the lights.
+// The same with its shadow ray: kind kShadow, min_distance kShadowEpsilon.
+struct ShadowRay : LightSample {
+  Ray ray;
+};
+
+// One light; false where it does not concern the hit. Sets *shadow too, also where it is not
+// traced.
+bool SampleLight(const Scene& scene, uint32_t light, const Ray& ray, const SurfaceHit& hit,
+                 LightSample* sample, Ray* shadow, OpCounts* counts);
+// All lights: appends the shadow rays of a hit, in visiting order of the lights.
 void SpawnShadows(const Scene& scene, const Ray& ray, const SurfaceHit& hit,
                   std::vector<ShadowRay>* shadows, OpCounts* counts);
 
+Color ShadeAmbient(const Scene& scene, const SurfaceHit& hit);
+// Adds to *sum a light of which `arrived` arrives. Lights that are blocked are left out altogether:
+// they do not even scale by translucency.
+void AddLight(const SurfaceHit& hit, const LightSample& sample, const Color& arrived, Color* sum);
 // Ambient light and all lights. shadows: as SpawnShadows gave them for this hit, with color
-// replaced by what really arrives (black, and arrived[i] 0, where the light is blocked: a blocked
-// light does not even scale by translucency).
+// replaced by what really arrives, and arrived[i] 0 where the light is blocked.
 Color ShadeLights(const Scene& scene, const Ray& ray, const SurfaceHit& hit,
                   std::span<const ShadowRay> shadows, std::span<const uint8_t> arrived);
-
-// What a shadow ray has met so far; folded in order along the ray [rayshade4/3 s.7].
-struct ShadowState {
-  Color color{1, 1, 1};         // what is left of the light, intensity included
-  double last_distance = 0;     // t0: where the last transparent hit lay, plus kEpsilon
-  double previous_extinct = 1;  // of the medium the ray is in; 1: none
-  bool inside = false;
-  bool dark = false;
-};
-// Folds one transparent hit (bound surface with transp >= kEpsilon) into *state. shadow: the ray.
-void FoldShadowHit(const Scene& scene, const Ray& shadow, const Hit& hit, ShadowState* state);
 
 // The secondary rays of a hit, and how their results are weighted.
 struct SecondaryRay {
