@@ -32,4 +32,21 @@ inline bool IntersectSlabs(const Bounds& box, const Vector& origin, const Vector
   return true;
 }
 
+// Does the ray come into the closed box between min and max? For culling: touching counts.
+inline bool MeetsBox(const Bounds& box, const Vector& origin, const Vector& direction, double min,
+                     double max) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double o = origin[axis], d = direction[axis];
+    if (d == 0) {
+      if (o < box.low[axis] || o > box.high[axis]) return false;
+      continue;
+    }
+    const double entry = ((d > 0 ? box.low[axis] : box.high[axis]) - o) / d;
+    const double exit = ((d > 0 ? box.high[axis] : box.low[axis]) - o) / d;
+    if (entry > min) min = entry;
+    if (exit < max) max = exit;
+  }
+  return min <= max;
+}
+
 }  // namespace rayshade
