@@ -1,4 +1,6 @@
 // The tables of checked values in the description of Rayshade's geometry [rayshade4/2 s.6].
+#include <cmath>
+
 #include "tests/geom/probe.h"
 
 namespace rayshade {
@@ -140,6 +142,95 @@ TEST(Polygon, CoversTheCentreOfAPentagram) {
   }
   EXPECT_TRUE(ShootAt(star, {0, 0, 3}, {0, 0, -1}).hit);
   EXPECT_FALSE(ShootAt(star, {-.6, 0, 3}, {0, 0, -1}).hit);
+}
+
+TEST(Torus, HasTheDistancesAndCoordinatesOfTheTable) {
+  const TorusSpec torus{3, 1, {}, {0, 0, 1}};
+  ExpectRows(torus, {
+                        {{10, 0, 0}, {-1, 0, 0}, 6, 0, .5},
+                        {{3, 0, 10}, {0, 0, -1}, 9, 0, .75},
+                        {{3, 0, -10}, {0, 0, 1}, 9, 0, .25},
+                    });
+  EXPECT_NEAR(2, ShootAt(torus, {}, {1, 0, 0}).distance, 1e-14);
+  Probe probe = ShootAt(torus, {10, 0, 0}, {-1, 0, 0});
+  ExpectNear({0, 1, 0}, probe.uv.du);
+  ExpectNear({0, 0, 1}, probe.uv.dv);
+  ExpectNear({0, 0, -1}, ShootAt(torus, {}, {1, 0, 0}).uv.dv);
+  ExpectNear({-1, 0, 0}, ShootAt(torus, {3, 0, 10}, {0, 0, -1}).uv.dv);
+  probe = ShootAt(torus, {0, 10, .5}, {0, -1, 0});
+  EXPECT_NEAR(6.1339745962155616, probe.distance, 1e-13);
+  EXPECT_NEAR(.25, probe.uv.u, 1e-12);
+  EXPECT_NEAR(.583333333333, probe.uv.v, 1e-12);
+  ExpectNear({-1, 0, 0}, probe.uv.du);
+  ExpectNear({0, -.5, .866025404}, probe.uv.dv);
+}
+
+TEST(TriangleUv, HasTheCoordinatesAndTangentsOfTheTable) {
+  struct UvRow {
+    double uv[3][2], u, v;
+    Vector du, dv;
+  };
+  const UvRow rows[] = {
+      {{{0, 0}, {1, 0}, {0, 1}}, .25, .25, {1, 0, 0}, {0, 1, 0}},
+      {{{0, 0}, {.5, .5}, {0, 1}}, .125, .375, {.9701425, -.242535625, 0}, {0, 1, 0}},
+      {{{1, 0}, {0, 0}, {1, 1}}, .75, .25, {-1, 0, 0}, {0, 1, 0}},
+      {{{1, 0}, {0, 0}, {1, 0}}, .75, 0, {0, 0, 0}, {0, 1, 0}},
+  };
+  for (const UvRow& row : rows) {
+    TriangleUvSpec spec{{{0, 0, 0}, {4, 0, 0}, {0, 2, 0}}, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}};
+    for (int i = 0; i < 3; ++i) std::copy(row.uv[i], row.uv[i] + 2, spec.uv[i]);
+    const Probe probe = ShootAt(spec, {1, .5, 3}, {0, 0, -1});
+    EXPECT_DOUBLE_EQ(row.u, probe.uv.u);
+    EXPECT_DOUBLE_EQ(row.v, probe.uv.v);
+    ExpectNear(row.du, probe.uv.du, 1e-7);
+    ExpectNear(row.dv, probe.uv.dv, 1e-7);
+  }
+}
+
+TEST(PhongTriangle, BlendsNormalsAndTurnsItsPlaneTowardsThem) {
+  PhongTriangleSpec spec{{{0, 0, 0}, {4, 0, 0}, {0, 2, 0}}, {{0, 0, -1}, {0, 0, -2}, {0, -1, -1}}};
+  const auto geom = MakeGeom(spec);
+  HitPath path;
+  geom->Describe({{1, .5, 3}, {0, 0, -1}, {}}, kEpsilon, 3, &path);
+  EXPECT_TRUE(path.smooth);
+  ExpectNear({0, 0, -1}, path.geometric_normal);
+  const double part = .25 / std::sqrt(2);
+  ExpectNear(Normalized({0, -part, -.75 - part}), path.normal);
+}
+
+TEST(Plane, HasTheAxesAcrossItsNormalAsCoordinates) {
+  const PlaneSpec plane{{1, 0, 0}, {0, 0, 1}};
+  const Probe above = ShootAt(plane, {3, 2, 5}, {0, 0, -1});
+  EXPECT_DOUBLE_EQ(2, above.uv.u);
+  EXPECT_DOUBLE_EQ(2, above.uv.v);
+  const Probe below = ShootAt(plane, {3, 2, -5}, {0, 0, 1});
+  EXPECT_DOUBLE_EQ(-2, below.uv.u);
+  EXPECT_DOUBLE_EQ(2, below.uv.v);
+}
+
+TEST(Plane, VanishesWithinTheGrazingAngle) {
+  const PlaneSpec plane{{}, {0, 0, 1}};
+  EXPECT_FALSE(ShootAt(plane, {0, 0, 1}, {0, 1, -.99e-5}).hit);
+  EXPECT_TRUE(ShootAt(plane, {0, 0, 1}, {0, 1, -1.01e-5}).hit);
+}
+
+TEST(Heightfield, HasAltitudesInRowsAndAlwaysIncludesZero) {
+  HeightfieldSpec field{"", 2,
+                        std::make_shared<std::vector<float>>(std::vector<float>{1, 2, 3, 5})};
+  EXPECT_EQ((Bounds{{0, 0, 0}, {1, 1, 5}}), BoundsOf(field));
+  const auto geom = MakeGeom(field);
+  EXPECT_NEAR(10 - 1.5, ShootAt(*geom, {.5, 1e-9, 10}, {0, 0, -1}).distance, 1e-6);
+  EXPECT_NEAR(10 - 2.5, ShootAt(*geom, {.5, .5, 10}, {0, 0, -1}).distance, 1e-9);
+  EXPECT_NEAR(10 - 3.25, ShootAt(*geom, {.75, .625, 10}, {0, 0, -1}).distance, .2);
+  ExpectNear(Normalized({-1, -2, 1}), ShootAt(*geom, {.2, .2, 10}, {0, 0, -1}).path.normal);
+}
+
+TEST(Heightfield, HasHolesBelowMinusThousand) {
+  HeightfieldSpec field{"", 2,
+                        std::make_shared<std::vector<float>>(std::vector<float>{-1000, 0, 0, 0})};
+  const auto geom = MakeGeom(field);
+  EXPECT_FALSE(ShootAt(*geom, {.2, .2, 10}, {0, 0, -1}).hit);
+  EXPECT_TRUE(ShootAt(*geom, {.8, .8, 10}, {0, 0, -1}).hit);
 }
 
 }  // namespace
