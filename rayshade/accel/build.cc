@@ -14,12 +14,14 @@ using D4 = double __attribute__((vector_size(32), aligned(8)));
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr int kBinsMax = 16;
-constexpr int kDepthOfHeuristic = 40;  // below, halves are taken: at most 2^32 objects, 11 levels of eight
+constexpr int kDepthOfHeuristic =
+    40;  // below, halves are taken: at most 2^32 objects, 11 levels of eight
 // The cost of looking into a node, and of testing an object of a leaf, in units of each other.
 constexpr float kSplitCost = 1.0f;
 constexpr float kObjectCost = 0.5f;
 constexpr uint32_t kSmallLeaf = 4;
-// A sphere's computed hits lie on a sphere whose radius is off by rounding: by less than this part of its coordinates.
+// A sphere's computed hits lie on a sphere whose radius is off by rounding: by less than this part
+// of its coordinates.
 constexpr double kRoundingOfSpheres = 1e-14;
 
 F4 Min(F4 a, F4 b) { return a < b ? a : b; }
@@ -218,7 +220,8 @@ class Builder {
     right->ref_end = range.ref_end;
   }
 
-  // Where the heuristic finds nothing: spheres from refs, refs by kind, then halves of what there is.
+  // Where the heuristic finds nothing: spheres from refs, refs by kind, then halves of what there
+  // is.
   void DivideAnyhow(const Range& range, Range* left, Range* right) {
     const uint32_t spheres = range.sphere_end - range.sphere_begin;
     const uint32_t refs = range.ref_end - range.ref_begin;

@@ -1,8 +1,8 @@
-// Builds the hierarchy of an object set: surface area heuristic by binning [Wal07] down to a binary tree, of which
-// eight branches at a time become one node [WBB08].
+// Builds the hierarchy of an object set: surface area heuristic by binning [Wal07] down to a binary
+// tree, of which eight branches at a time become one node [WBB08].
 //
-//   1. Spheres are sorted in place, records and keys together, without any temporary; all other objects are sorted by
-//   reference.
+//   1. Spheres are sorted in place, records and keys together, without any temporary; all other
+//   objects are sorted by reference.
 //   2. The tree is at most kDepthMax deep, whatever the objects.
 //   3. When a leaf is made, its spheres' records become rows (trace_view.h).
 #pragma once
@@ -30,7 +30,7 @@ struct BuildRef {
 struct BuildInput {
   double center[3];
   std::span<SphereRecord> spheres;
-  std::span<ObjectKey> keys;      // of the spheres
+  std::span<ObjectKey> keys;       // of the spheres
   std::span<const double> growth;  // of a sphere's box, by placement
   std::span<BuildRef> refs;
 };
@@ -43,7 +43,8 @@ struct BuildOutput {
 // Permutes spheres, keys and refs. In the leaves, first counts spheres (kSphereLeaf), or refs.
 BuildOutput BuildHierarchy(const BuildInput& input);
 
-// Bounds in single precision that contain the number; values near the limits of float go to infinity.
+// Bounds in single precision that contain the number; values near the limits of float go to
+// infinity.
 float RoundedDown(double x);
 float RoundedUp(double x);
 

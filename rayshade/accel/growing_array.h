@@ -44,7 +44,8 @@ class GrowingArray {
     size_ = size;
   }
   void clear() { size_ = 0; }
-  // Gives back what growing took in advance, but for `spare` elements that may be read (and hold nothing).
+  // Gives back what growing took in advance, but for `spare` elements that may be read (and hold
+  // nothing).
   void ShrinkToFit(size_t spare = 0) {
     if (size_ == 0) spare = 0;
     if (capacity_ != size_ + spare) Reserve(size_ + spare);

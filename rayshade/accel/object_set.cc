@@ -137,8 +137,7 @@ void ObjectSet::Nearest(std::span<const Ray> rays, std::span<Hit> hits, OpCounts
 
 void ObjectSet::Block(std::span<const Ray> rays, std::span<const double> limits,
                       std::span<uint8_t> blocked, OpCounts* counts) const {
-  CHECK(impl_->kernels != nullptr && rays.size() == limits.size() &&
-        rays.size() == blocked.size());
+  CHECK(impl_->kernels != nullptr && rays.size() == limits.size() && rays.size() == blocked.size());
   impl_->kernels->block(impl_->view, rays.data(), limits.data(), blocked.data(),
                         static_cast<uint32_t>(rays.size()), counts);
 }

@@ -1,6 +1,7 @@
 // Rays against single objects; see other_objects.h.
 #include "rayshade/accel/other_objects.h"
 
+#include <cmath>
 #include <limits>
 
 #include "rayshade/geom/make_geom.h"
@@ -15,6 +16,10 @@ constexpr double kLoose = 1 + 1e-12;
 
 ObjectRay WorldRay(const Scene& scene, const Ray& ray) {
   return {ray.origin, ray.direction, {scene.shutter.frame, ray.time}};
+}
+
+bool HasUnitDirection(const Ray& ray) {
+  return std::abs(Dot(ray.direction, ray.direction) - 1) < kUnitTolerance;
 }
 
 }  // namespace
@@ -40,6 +45,13 @@ bool OtherObjects::MeetsBox(const Ray& ray, uint32_t object, double distance) co
   return near <= far && distance >= near * (1 - 1e-7);
 }
 
+bool OtherObjects::BoxDecides(const Ray& ray, uint32_t object, double distance) const {
+  const Item& item = objects_->item(object);
+  if (item.kind == kOtherLeaf) return objects_->other(item).bounded;
+  if (item.kind == kPolygonLeaf && !objects_->polygon(item).planar) return true;
+  return distance > kSureDistance || !HasUnitDirection(ray);
+}
+
 bool OtherObjects::Intersect(const Ray& ray, uint32_t object, double limit, double most,
                              double* distance) const {
   const Item& item = objects_->item(object);
@@ -59,8 +71,8 @@ bool OtherObjects::IntersectOther(const Ray& ray, uint32_t object, double limit,
                                   double* distance) const {
   const OtherObject& other = objects_->other(objects_->item(object));
   const Placement& placement = objects_->scene().placement(objects_->key(object).placement);
-  // The window is the limit's where that is nearer, so that the kind's own rule decides there; else a little longer
-  // than the best distance, which may be equalled.
+  // The window is the limit's where that is nearer, so that the kind's own rule decides there; else
+  // a little longer than the best distance, which may be equalled.
   const double window = std::min(most * kLoose, limit);
   ObjectRay local = WorldRay(objects_->scene(), ray);
   double scale = 1;
@@ -80,7 +92,7 @@ void OtherObjects::Nearest(const Ray& ray, uint32_t object, double limit, Hit* h
   if (!Intersect(ray, object, limit, hit->distance, &distance)) return;
   const Rank rank = objects_->key(object).rank;
   if (!(distance < hit->distance || (distance == hit->distance && rank < hit->rank))) return;
-  if (bounded(object) && !MeetsBox(ray, object, distance)) return;
+  if (BoxDecides(ray, object, distance) && !MeetsBox(ray, object, distance)) return;
   hit->distance = distance;
   hit->rank = rank;
   hit->object = object;
@@ -89,7 +101,7 @@ void OtherObjects::Nearest(const Ray& ray, uint32_t object, double limit, Hit* h
 bool OtherObjects::Blocks(const Ray& ray, uint32_t object, double limit) const {
   double distance;
   if (!Intersect(ray, object, limit, limit, &distance) || distance > limit) return false;
-  if (bounded(object) && !MeetsBox(ray, object, distance)) return false;
+  if (BoxDecides(ray, object, distance) && !MeetsBox(ray, object, distance)) return false;
   return all_opaque_ || IsOpaque(ray, object, distance);
 }
 
@@ -108,8 +120,7 @@ bool OtherObjects::IsOpaque(const Ray& ray, uint32_t object, double distance) co
   return (*opaque_)[placement] != 0;
 }
 
-void OtherObjects::Describe(const Ray& ray, uint32_t object, double distance,
-                            HitPath* path) const {
+void OtherObjects::Describe(const Ray& ray, uint32_t object, double distance, HitPath* path) const {
   const Scene& scene = objects_->scene();
   const Placement& placement = scene.placement(objects_->key(object).placement);
   ObjectRay local = WorldRay(scene, ray);
@@ -150,16 +161,15 @@ void OtherObjects::Describe(const Ray& ray, uint32_t object, double distance,
 }
 
 TraceCallbacks OtherObjects::Callbacks() {
-  return {
-      [](const void* set, const Ray& ray, uint32_t object, double limit, Hit* hit) {
-        static_cast<const OtherObjects*>(set)->Nearest(ray, object, limit, hit);
-      },
-      [](const void* set, const Ray& ray, uint32_t object, double limit) {
-        return static_cast<const OtherObjects*>(set)->Blocks(ray, object, limit);
-      },
-      [](const void* set, const Ray& ray, uint32_t object, double distance) {
-        return static_cast<const OtherObjects*>(set)->MeetsBox(ray, object, distance);
-      }};
+  return {[](const void* set, const Ray& ray, uint32_t object, double limit, Hit* hit) {
+            static_cast<const OtherObjects*>(set)->Nearest(ray, object, limit, hit);
+          },
+          [](const void* set, const Ray& ray, uint32_t object, double limit) {
+            return static_cast<const OtherObjects*>(set)->Blocks(ray, object, limit);
+          },
+          [](const void* set, const Ray& ray, uint32_t object, double distance) {
+            return static_cast<const OtherObjects*>(set)->MeetsBox(ray, object, distance);
+          }};
 }
 
 }  // namespace rayshade

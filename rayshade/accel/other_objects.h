@@ -1,5 +1,5 @@
-// Rays against single objects of a set, outside of the kernels: everything that goes through a Geom, flat objects
-// where the kernels leave them to this, and the rule about an object's box.
+// Rays against single objects of a set, outside of the kernels: everything that goes through a
+// Geom, flat objects where the kernels leave them to this, and the rule about an object's box.
 #pragma once
 
 #include <cstdint>
@@ -33,6 +33,9 @@ class OtherObjects {
                  double* distance) const;
   bool IntersectOther(const Ray& ray, uint32_t object, double limit, double most,
                       double* distance) const;
+  // Is the rule about the object's box to be asked? Flat objects: only where rounding could put the
+  // hit outside of it.
+  bool BoxDecides(const Ray& ray, uint32_t object, double distance) const;
   // Of a hit on it: is the surface bound to it opaque?
   bool IsOpaque(const Ray& ray, uint32_t object, double distance) const;
 

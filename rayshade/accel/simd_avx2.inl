@@ -1,4 +1,5 @@
-// Eight floats and eight doubles with AVX2; see simd_plain.inl. No fused multiply-add, so that the bits are the same.
+// Eight floats and eight doubles with AVX2; see simd_plain.inl. No fused multiply-add, so that the
+// bits are the same.
 struct F8 {
   __m256 v;
 };

@@ -1,5 +1,5 @@
-// Eight floats and eight doubles with AVX-512 (F, DQ, VL, BW); see simd_plain.inl. No fused multiply-add, so that the
-// bits are the same.
+// Eight floats and eight doubles with AVX-512 (F, DQ, VL, BW); see simd_plain.inl. No fused
+// multiply-add, so that the bits are the same.
 struct F8 {
   __m256 v;
 };
@@ -23,7 +23,8 @@ RAYSHADE_KERNEL D8 operator+(D8 a, D8 b) { return {_mm512_add_pd(a.v, b.v)}; }
 RAYSHADE_KERNEL D8 operator-(D8 a, D8 b) { return {_mm512_sub_pd(a.v, b.v)}; }
 RAYSHADE_KERNEL D8 operator*(D8 a, D8 b) { return {_mm512_mul_pd(a.v, b.v)}; }
 RAYSHADE_KERNEL D8 operator/(D8 a, D8 b) { return {_mm512_div_pd(a.v, b.v)}; }
-// The plain intrinsic of g++ 12 warns about its own uninitialised source; the masked one is the same instruction.
+// The plain intrinsic of g++ 12 warns about its own uninitialised source; the masked one is the
+// same instruction.
 RAYSHADE_KERNEL D8 Sqrt(D8 a) { return {_mm512_maskz_sqrt_pd(0xff, a.v)}; }
 RAYSHADE_KERNEL uint32_t LessEqual(D8 a, D8 b) { return _mm512_cmp_pd_mask(a.v, b.v, _CMP_LE_OQ); }
 RAYSHADE_KERNEL uint32_t Less(D8 a, D8 b) { return _mm512_cmp_pd_mask(a.v, b.v, _CMP_LT_OQ); }

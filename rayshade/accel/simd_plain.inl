@@ -1,6 +1,7 @@
-// Eight floats and eight doubles without any instruction set in particular. The three simd_*.inl define the same
-// types and functions; the kernels (trace.inl) are written on top of them. Comparisons give one bit per lane.
-// Min and Max return the second argument where one is not a number.
+// Eight floats and eight doubles without any instruction set in particular. The three simd_*.inl
+// define the same types and functions; the kernels (trace.inl) are written on top of them.
+// Comparisons give one bit per lane. Min and Max return the second argument where one is not a
+// number.
 struct F8 {
   float v[8];
 };

@@ -14,6 +14,13 @@ namespace {
 // Hits on objects other than spheres are off by less than this part of their coordinates.
 constexpr double kRounding = 1e-10;
 
+// Points of a polygon are off its plane by no more than rounding makes them.
+bool IsPlanar(const PolygonPlane& plane, std::span<const Vector> points) {
+  return std::all_of(points.begin(), points.end(), [&](const Vector& p) {
+    return std::abs(Dot(plane.normal, p) - plane.offset) <= 1e-12 * plane.reach;
+  });
+}
+
 double LargestCoordinate(const Bounds& b) {
   return std::max({std::abs(b.low.x), std::abs(b.low.y), std::abs(b.low.z), std::abs(b.high.x),
                    std::abs(b.high.y), std::abs(b.high.z)});
@@ -46,9 +53,10 @@ void StoredObjects::Add(const GeomSpec& spec, ObjectKey key) {
   } else if (const auto* p = std::get_if<PolygonSpec>(&spec)) {
     items_.push_back({kPolygonLeaf, static_cast<uint32_t>(polygons_.size())});
     item_keys_.push_back(key);
-    polygons_.push_back({MakePolygonPlane(p->points, p->flip),
-                         static_cast<uint32_t>(points_.size()),
-                         static_cast<uint32_t>(p->points.size()), p->flip});
+    const PolygonPlane plane = MakePolygonPlane(p->points, p->flip);
+    polygons_.push_back({plane, static_cast<uint32_t>(points_.size()),
+                         static_cast<uint32_t>(p->points.size()), p->flip,
+                         IsPlanar(plane, p->points)});
     points_.insert(points_.end(), p->points.begin(), p->points.end());
   } else {
     OtherObject other;
@@ -83,7 +91,7 @@ void StoredObjects::Settle() {
   growth_.resize(scene_->spec.placements.size());
   for (PlacementId i = 0; i < growth_.size(); ++i) {
     const Placement& placement = scene_->placement(i);
-    if (placement.in_place) growth_[i] = WorldBounds(placement, {{}, {}}, scene_->shutter).high.x;
+    growth_[i] = 2 * kEpsilon * static_cast<double>(placement.levels.size());
   }
   if (items_.size() > 0 || !Ordered(keys_)) RemoveDuplicates();
   SettleSpheres();
@@ -255,20 +263,23 @@ SphereSpec StoredObjects::sphere(uint32_t object) const {
 }
 
 Bounds StoredObjects::WorldBox(uint32_t object) const {
+  Bounds box;
   if (is_sphere(object)) {
     const SphereSpec s = sphere(object);
-    const double r = s.radius + growth_[key(object).placement];
-    return {s.center - Vector{r, r, r}, s.center + Vector{r, r, r}};
-  }
-  const Item& at = item(object);
-  if (at.kind == kOtherLeaf) return others_[at.index].box;
-  Bounds box;
-  if (at.kind == kTriangleLeaf) {
-    for (const Vector& p : triangles_[at.index].shape.point) box.Include(p);
+    const Vector r{s.radius, s.radius, s.radius};
+    box = {s.center - r, s.center + r};
   } else {
-    for (const Vector& p : PointsOf(polygons_[at.index])) box.Include(p);
+    const Item& at = item(object);
+    if (at.kind == kOtherLeaf) return others_[at.index].box;
+    if (at.kind == kTriangleLeaf) {
+      for (const Vector& p : triangles_[at.index].shape.point) box.Include(p);
+    } else {
+      for (const Vector& p : PointsOf(polygons_[at.index])) box.Include(p);
+    }
   }
-  box.Grow(growth_[key(object).placement]);
+  // The very steps of WorldBounds.
+  const size_t levels = scene_->placement(key(object).placement).levels.size();
+  for (size_t i = 0; i < 2 * levels; ++i) box.Grow(kEpsilon);
   return box;
 }
 
@@ -290,8 +301,7 @@ GeomSpec StoredObjects::SpecOf(uint32_t object) const {
 
 size_t StoredObjects::bytes() const {
   size_t bytes = sizeof *this + spheres_.bytes() + keys_.bytes() + item_keys_.bytes() +
-                 items_.capacity() * sizeof(Item) +
-                 triangles_.capacity() * sizeof(FlatTriangle) +
+                 items_.capacity() * sizeof(Item) + triangles_.capacity() * sizeof(FlatTriangle) +
                  polygons_.capacity() * sizeof(FlatPolygon) + points_.capacity() * sizeof(Vector) +
                  others_.capacity() * sizeof(OtherObject) + growth_.capacity() * sizeof(double) +
                  leaf_begins.bytes();

@@ -1,8 +1,8 @@
-// The objects of a set as they are held: flat arrays for spheres, triangles and polygons that stand in place, a Geom
-// each for everything else.
+// The objects of a set as they are held: flat arrays for spheres, triangles and polygons that stand
+// in place, a Geom each for everything else.
 //
-//   1. Objects are numbered: spheres first, then all others, in the order in which they were added; after Settle and
-//   Permute, in the order of the hierarchy's leaves, unbounded ones last.
+//   1. Objects are numbered: spheres first, then all others, in the order in which they were added;
+//   after Settle and Permute, in the order of the hierarchy's leaves, unbounded ones last.
 //   2. After Settle what is flat stands in place, and no rank occurs twice.
 #pragma once
 
@@ -29,6 +29,7 @@ struct FlatPolygon {
   PolygonPlane plane;
   uint32_t first_point, point_count;
   bool flip;
+  bool planar;  // but for rounding: its hits lie in its box
 };
 
 struct OtherObject {
@@ -76,7 +77,6 @@ class StoredObjects {
   SphereSpec sphere(uint32_t object) const;  // from rows once leaves were made
 
   Bounds WorldBox(uint32_t object) const;
-  double GrowthOf(PlacementId placement) const { return growth_[placement]; }
   GeomSpec SpecOf(uint32_t object) const;  // of a flat one, or an other one with a spec
 
   const Scene& scene() const { return *scene_; }
@@ -103,7 +103,7 @@ class StoredObjects {
   std::vector<FlatPolygon> polygons_;
   std::vector<Vector> points_;
   std::vector<OtherObject> others_;
-  std::vector<double> growth_;  // of a box in place, by placement
+  std::vector<double> growth_;  // of a box in place, by placement: that often kEpsilon
 };
 
 }  // namespace rayshade

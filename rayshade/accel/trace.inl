@@ -1,9 +1,11 @@
-// The kernels: rays against a hierarchy of nodes with eight children. Included once per instruction set, inside an
-// unnamed namespace and after the set's simd_*.inl; nothing here may depend on more than that and on trace_view.h.
+// The kernels: rays against a hierarchy of nodes with eight children. Included once per instruction
+// set, inside an unnamed namespace and after the set's simd_*.inl; nothing here may depend on more
+// than that and on trace_view.h.
 //
-//   1. A child is left out only if no computed hit can lie in it, nearer than or at the best distance so far: planes
-//   are rounded outwards, origins are rounded both ways, and distances are compared with kSlack to spare, which covers
-//   the rounding of inverse, difference, product and of hits beyond kSureDistance.
+//   1. A child is left out only if no computed hit can lie in it, nearer than or at the best
+//   distance so far: planes are rounded outwards, origins are rounded both ways, and distances are
+//   compared with kSlack to spare, which covers the rounding of inverse, difference, product and of
+//   hits beyond kSureDistance.
 //   2. Which children are visited, and in which order, does not change an answer.
 
 constexpr float kSlack = 1.000001f;
@@ -59,15 +61,17 @@ RAYSHADE_KERNEL void SetUp(const TraceView& view, const Ray& ray, RayWork* w, Sl
   }
   s->least = SetF(FloatBelow(ray.min_distance) * (2 - kSlack));
   w->least = ray.min_distance;
-  w->sure = __builtin_fabs(squared - 1) < 1e-9 ? kSureDistance : -1;
+  w->sure = __builtin_fabs(squared - 1) < kUnitTolerance ? kSureDistance : -1;
   w->ray = &ray;
 }
 
-// The children that the ray meets not farther away than `most` (in single precision, with slack); *entry: where.
+// The children that the ray meets not farther away than `most` (in single precision, with slack);
+// *entry: where.
 RAYSHADE_KERNEL uint32_t MeetChildren(const Node& node, const SlabRay& s, float most, F8* entry) {
   F8 near = s.least, far = SetF(most);
   for (int axis = 0; axis < 3; ++axis) {
-    near = Max((LoadF(node.plane[s.near_plane[axis]]) - s.near_origin[axis]) * s.inverse[axis], near);
+    near =
+        Max((LoadF(node.plane[s.near_plane[axis]]) - s.near_origin[axis]) * s.inverse[axis], near);
     far = Min((LoadF(node.plane[s.far_plane[axis]]) - s.far_origin[axis]) * s.inverse[axis] *
                   SetF(kSlack),
               far);
@@ -78,13 +82,15 @@ RAYSHADE_KERNEL uint32_t MeetChildren(const Node& node, const SlabRay& s, float 
 
 RAYSHADE_KERNEL float Loosened(double distance) { return FloatAbove(distance) * kSlack; }
 
-RAYSHADE_KERNEL bool Counts(const TraceView& view, const RayWork& w, double distance, uint32_t object) {
+RAYSHADE_KERNEL bool Counts(const TraceView& view, const RayWork& w, double distance,
+                            uint32_t object) {
   return distance <= w.sure || view.callbacks.meets_box(view.set, *w.ray, object, distance);
 }
 
-// Up to eight spheres, one a lane, against a ray: the very operations of IntersectSphere (geom/sphere.h).
-// Bits of those hit in (least, limit) and not beyond best; *distance: where.
-RAYSHADE_KERNEL uint32_t MeetSpheres(const double* rows, int count, const RayWork& w, double best, D8* distance) {
+// Up to eight spheres, one a lane, against a ray: the very operations of IntersectSphere
+// (geom/sphere.h). Bits of those hit in (least, limit) and not beyond best; *distance: where.
+RAYSHADE_KERNEL uint32_t MeetSpheres(const double* rows, int count, const RayWork& w, double best,
+                                     D8* distance) {
   const D8 dx = SetD(w.d[0]), dy = SetD(w.d[1]), dz = SetD(w.d[2]);
   const D8 cx = LoadD(rows) - SetD(w.o[0]);
   const D8 cy = LoadD(rows + count) - SetD(w.o[1]);
@@ -102,9 +108,11 @@ RAYSHADE_KERNEL uint32_t MeetSpheres(const double* rows, int count, const RayWor
   return real & Less(least, s) & LessEqual(s, SetD(best)) & Less(s, SetD(w.strict_limit));
 }
 
-RAYSHADE_KERNEL void NearestInSpheres(const TraceView& view, const RayWork& w, uint32_t first, int count, Hit* hit) {
+RAYSHADE_KERNEL void NearestInSpheres(const TraceView& view, const RayWork& w, uint32_t first,
+                                      int count, Hit* hit) {
   D8 distance;
-  uint32_t bits = MeetSpheres(view.spheres + 4 * static_cast<size_t>(first), count, w, hit->distance, &distance);
+  uint32_t bits = MeetSpheres(view.spheres + 4 * static_cast<size_t>(first), count, w,
+                              hit->distance, &distance);
   if (bits == 0) return;
   alignas(64) double at[8];
   Store(distance, at);
@@ -120,9 +128,11 @@ RAYSHADE_KERNEL void NearestInSpheres(const TraceView& view, const RayWork& w, u
   }
 }
 
-RAYSHADE_KERNEL bool SpheresBlock(const TraceView& view, const RayWork& w, uint32_t first, int count, double limit) {
+RAYSHADE_KERNEL bool SpheresBlock(const TraceView& view, const RayWork& w, uint32_t first,
+                                  int count, double limit) {
   D8 distance;
-  uint32_t bits = MeetSpheres(view.spheres + 4 * static_cast<size_t>(first), count, w, limit, &distance);
+  uint32_t bits =
+      MeetSpheres(view.spheres + 4 * static_cast<size_t>(first), count, w, limit, &distance);
   if (bits == 0) return false;
   alignas(64) double at[8];
   Store(distance, at);
@@ -140,7 +150,8 @@ struct StackEntry {
   uint8_t kind, count;
 };
 
-RAYSHADE_KERNEL void NearestInLeaf(const TraceView& view, const RayWork& w, const StackEntry& leaf, Hit* hit) {
+RAYSHADE_KERNEL void NearestInLeaf(const TraceView& view, const RayWork& w, const StackEntry& leaf,
+                                   Hit* hit) {
   if (leaf.kind == kSphereLeaf) {
     NearestInSpheres(view, w, leaf.child, leaf.count, hit);
     return;
@@ -150,7 +161,8 @@ RAYSHADE_KERNEL void NearestInLeaf(const TraceView& view, const RayWork& w, cons
   }
 }
 
-RAYSHADE_KERNEL bool LeafBlocks(const TraceView& view, const RayWork& w, const StackEntry& leaf, double limit) {
+RAYSHADE_KERNEL bool LeafBlocks(const TraceView& view, const RayWork& w, const StackEntry& leaf,
+                                double limit) {
   if (leaf.kind == kSphereLeaf) return SpheresBlock(view, w, leaf.child, leaf.count, limit);
   for (uint32_t i = leaf.child; i < leaf.child + leaf.count; ++i) {
     if (view.callbacks.blocks_other(view.set, *w.ray, i, limit)) return true;
@@ -159,7 +171,8 @@ RAYSHADE_KERNEL bool LeafBlocks(const TraceView& view, const RayWork& w, const S
 }
 
 // Puts the children on the stack, the nearest on top.
-RAYSHADE_KERNEL StackEntry* PushSorted(const Node& node, uint32_t bits, F8 entries, StackEntry* top) {
+RAYSHADE_KERNEL StackEntry* PushSorted(const Node& node, uint32_t bits, F8 entries,
+                                       StackEntry* top) {
   alignas(32) float entry[8];
   Store(entries, entry);
   StackEntry* const bottom = top;
@@ -173,7 +186,8 @@ RAYSHADE_KERNEL StackEntry* PushSorted(const Node& node, uint32_t bits, F8 entri
   return top;
 }
 
-RAYSHADE_KERNEL void NearestOfOne(const TraceView& view, const Ray& ray, Hit* hit, Counters* counters) {
+RAYSHADE_KERNEL void NearestOfOne(const TraceView& view, const Ray& ray, Hit* hit,
+                                  Counters* counters) {
   RayWork w;
   SlabRay s;
   SetUp(view, ray, &w, &s);
@@ -203,7 +217,8 @@ RAYSHADE_KERNEL void NearestOfOne(const TraceView& view, const Ray& ray, Hit* hi
   }
 }
 
-RAYSHADE_KERNEL bool OneIsBlocked(const TraceView& view, const Ray& ray, double limit, Counters* counters) {
+RAYSHADE_KERNEL bool OneIsBlocked(const TraceView& view, const Ray& ray, double limit,
+                                  Counters* counters) {
   RayWork w;
   SlabRay s;
   SetUp(view, ray, &w, &s);
@@ -249,8 +264,8 @@ void Nearest(const TraceView& view, const Ray* rays, Hit* hits, uint32_t count, 
   counts->primitive_tests += counters.tests;
 }
 
-void Block(const TraceView& view, const Ray* rays, const double* limits, uint8_t* blocked, uint32_t count,
-           OpCounts* counts) {
+void Block(const TraceView& view, const Ray* rays, const double* limits, uint8_t* blocked,
+           uint32_t count, OpCounts* counts) {
   Counters counters;
   for (uint32_t i = 0; i < count; ++i) {
     if (!blocked[i]) blocked[i] = OneIsBlocked(view, rays[i], limits[i], &counters);

@@ -4,11 +4,13 @@
 //
 //   1. Boxes of the nodes are relative to `center` and rounded outwards: they contain the object's
 //   world bounds, and so does every computed hit.
-//   2. Leaves hold at most kLeafSize objects of one kind. The spheres of a leaf lie as rows: all x, all y,
-//   all z, all radii.
-//   3. A hit counts if its kind's own test finds it and, farther than kSureDistance along the ray, where rounding
-//   could put it outside of the object's box, if the ray meets that box by the plain slab test: a definition that no
-//   hierarchy enters into, and Rayshade's own [rayshade4/2 s.2.4].
+//   2. Leaves hold at most kLeafSize objects of one kind. The spheres of a leaf lie as rows: all x,
+//   all y, all z, all radii.
+//   3. A hit counts if its kind's own test finds it and, where that test could find it outside of
+//   the object's world box, if the ray meets this box by the plain slab test, not behind the hit: a
+//   definition that no hierarchy enters into, and nearly Rayshade's own [rayshade4/2 s.2.4]. This
+//   concerns hits farther than kSureDistance, rays whose direction is not of unit length, polygons
+//   that are not planar, and all that goes through Geom.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +27,16 @@ inline constexpr int kLeafSize = 8;
 inline constexpr int kDepthMax = 56;  // of the hierarchy
 inline constexpr int kStackSize = (kNodeWidth - 1) * kDepthMax + kNodeWidth;
 inline constexpr double kSureDistance = 1e6;
+inline constexpr double kUnitTolerance = 1e-9;  // of the square of a unit direction's length
 
-enum LeafKind : uint8_t { kEmptySlot, kInnerNode, kSphereLeaf, kTriangleLeaf, kPolygonLeaf, kOtherLeaf };
+enum LeafKind : uint8_t {
+  kEmptySlot,
+  kInnerNode,
+  kSphereLeaf,
+  kTriangleLeaf,
+  kPolygonLeaf,
+  kOtherLeaf
+};
 
 struct alignas(64) Node {
   float plane[6][kNodeWidth];  // low x, y, z, high x, y, z of each child
@@ -42,7 +52,8 @@ struct ObjectKey {
 
 // The set's own answers, for what is not done in the kernels.
 struct TraceCallbacks {
-  // Objects that go through Geom, and the unbounded ones: improves *hit, or says whether the ray is blocked.
+  // Objects that go through Geom, and the unbounded ones: improves *hit, or says whether the ray is
+  // blocked.
   void (*nearest_other)(const void* set, const Ray& ray, uint32_t object, double limit, Hit* hit);
   bool (*blocks_other)(const void* set, const Ray& ray, uint32_t object, double limit);
   // Does the ray meet the object's world box, and not only beyond this distance?
@@ -50,7 +61,7 @@ struct TraceCallbacks {
 };
 
 struct TraceView {
-  const void* set = nullptr;  // for the callbacks
+  const void* set = nullptr;         // for the callbacks
   const ObjectSet* owner = nullptr;  // for the hits
   const Node* nodes = nullptr;
   uint32_t node_count = 0;
@@ -67,16 +78,18 @@ struct TraceView {
 // One instruction set's kernels. All give the same bits.
 struct Kernels {
   const char* name;
-  void (*nearest)(const TraceView& view, const Ray* rays, Hit* hits, uint32_t count, OpCounts* counts);
-  void (*block)(const TraceView& view, const Ray* rays, const double* limits, uint8_t* blocked, uint32_t count,
-                OpCounts* counts);
+  void (*nearest)(const TraceView& view, const Ray* rays, Hit* hits, uint32_t count,
+                  OpCounts* counts);
+  void (*block)(const TraceView& view, const Ray* rays, const double* limits, uint8_t* blocked,
+                uint32_t count, OpCounts* counts);
 };
 
 extern const Kernels kPlainKernels;
 extern const Kernels kAvx2Kernels;
 extern const Kernels kAvx512Kernels;
 
-// The best that this processor has, or what the environment variable RAYSHADE_SIMD (plain, avx2, avx512) names.
+// The best that this processor has, or what the environment variable RAYSHADE_SIMD (plain, avx2,
+// avx512) names.
 const Kernels& ChooseKernels();
 
 }  // namespace rayshade
