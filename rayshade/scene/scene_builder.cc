@@ -171,8 +171,6 @@ void SceneBuilder::OnSettings(const Settings& settings) {
 
 const Settings& SceneBuilder::settings() const { return impl_->skeleton.settings(); }
 
-const Settings& SceneBuilder::settings() const { return impl_->skeleton.settings(); }
-
 SceneBuilder::Built SceneBuilder::Build(int frame) {
   Built built;
   built.scene =
