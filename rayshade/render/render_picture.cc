@@ -221,6 +221,7 @@ Renderer::Traced Renderer::Trace(const SceneBuilder::Built& built, const Camera&
   LineReport lines(settings_, camera.window(), report());
   const double begin = stopwatch_.seconds();
   double kept_at = begin;
+  SequentialTracer tracer(built.scene.get(), built.objects.get());
   RayBundle bundle;
   std::vector<RayResult> results;
   while (!sampling->done()) {
@@ -228,7 +229,7 @@ Renderer::Traced Renderer::Trace(const SceneBuilder::Built& built, const Camera&
     bundle.clear();
     for (const Sample& sample : samples) bundle.rays.push_back(camera.PrimaryRay(sample));
     results.assign(samples.size(), {});
-    TraceBundle(*built.scene, *built.objects, bundle, results, &stats_.operations);
+    tracer.Trace(bundle, results, &stats_.operations);
     for (size_t i = 0; i < samples.size(); ++i) sampling->Put(samples[i], results[i]);
 
     const double now = stopwatch_.seconds();
