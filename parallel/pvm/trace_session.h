@@ -1,0 +1,38 @@
+// The life of one trace process over PVM: frame after frame, until its host says that the run is
+// over, or is gone itself.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+
+#include "parallel/pvm/process_loop.h"
+#include "parallel/pvm/pvm_transport.h"
+
+namespace rayshade::parallel {
+
+class TraceSession : public LoopListener {
+ public:
+  // Makes the process of one frame.
+  using Factory = std::function<std::unique_ptr<Process>(const Meter*)>;
+
+  TraceSession(int host_tid, Factory factory);
+
+  // The exit status. What goes wrong is told to the host, as a Failure.
+  int Run();
+
+  void OnArrival(const Arrival& arrival) override;
+  bool Tick() override;
+
+ private:
+  void RunFrames();
+
+  PvmTransport transport_;
+  ProcessLoop loop_;
+  Factory factory_;
+  bool started_ = false;  // a frame, that is not being run yet
+  bool over_ = false;
+  std::chrono::steady_clock::time_point last_pulse_;
+};
+
+}  // namespace rayshade::parallel
