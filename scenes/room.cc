@@ -11,7 +11,7 @@ namespace {
 constexpr Vector kTable{6, 3.4, 0.74};  // the middle of the table's top
 
 constexpr char kSurfaces[] =
-    "surface wall ambient .2 .19 .17 diffuse .78 .75 .68\n"
+    "surface wall ambient .15 .145 .13 diffuse .6 .58 .53\n"
     "surface accent_wall ambient .1 .13 .15 diffuse .36 .47 .55\n"
     "surface ceiling_tile ambient .5 .5 .47 diffuse .84 .84 .8\n"
     "surface white_metal ambient .34 .34 .33 diffuse .75 .75 .75 specular .2 .2 .2 specpow 30\n"
@@ -19,7 +19,7 @@ constexpr char kSurfaces[] =
     "surface carpet_light ambient .06 .075 .095 diffuse .22 .28 .36\n"
     "surface table_wood ambient .09 .045 .02 diffuse .38 .19 .09 specular .3 .3 .3 specpow 60 "
     "reflect .12\n"
-    "surface wood ambient .11 .07 .035 diffuse .46 .29 .15 specular .08 .08 .08 specpow 30\n"
+    "surface oak ambient .11 .07 .035 diffuse .46 .29 .15 specular .08 .08 .08 specpow 30\n"
     "surface chrome ambient .02 .02 .02 diffuse .12 .12 .13 specular .7 .7 .7 specpow 80 reflect "
     ".6\n"
     "surface grey_metal ambient .1 .1 .1 diffuse .4 .4 .42 specular .4 .4 .4 specpow 40 reflect "
@@ -27,14 +27,14 @@ constexpr char kSurfaces[] =
     "surface cloth ambient .13 .03 .03 diffuse .55 .12 .1\n"
     "surface black_plastic ambient .015 .015 .015 diffuse .06 .06 .06 specular .2 .2 .2 specpow "
     "20\n"
-    "surface screen ambient .05 .07 .1 diffuse .05 .06 .08 specular .4 .4 .4 specpow 90 reflect "
+    "surface display ambient .05 .07 .1 diffuse .05 .06 .08 specular .4 .4 .4 specpow 90 reflect "
     ".1\n"
     "surface glass ambient 0 0 0 diffuse .02 .03 .03 specular .5 .5 .5 specpow 100 reflect .12 "
     "transp .85 index 1\n"
     "surface evening ambient .16 .22 .36\n"
     "surface slat ambient .17 .16 .13 diffuse .7 .66 .55 specular .1 .1 .1 specpow 20\n"
     "surface lamp ambient 1 1 .94 diffuse .2 .2 .2\n"
-    "surface board ambient .16 .16 .17 diffuse .6 .6 .62 specular .2 .2 .2 specpow 60 reflect "
+    "surface board ambient .13 .13 .14 diffuse .5 .5 .52 specular .2 .2 .2 specpow 60 reflect "
     ".05\n"
     "surface paper ambient .22 .22 .2 diffuse .8 .8 .75\n"
     "surface china ambient .2 .2 .2 diffuse .75 .75 .72 specular .5 .5 .5 specpow 60\n"
@@ -58,7 +58,7 @@ void DrawShelves(Drawing* draw, double x0) {
   constexpr const char* kBindings[] = {"red", "green", "blue", "ochre", "grey", "paper", "cloth"};
   const int bays = 4, boards = 6;
   const double bay = 0.9, depth = 0.3, step = 0.36;
-  draw->Use("wood");
+  draw->Use("oak");
   for (int i = 0; i <= bays; ++i) {
     draw->Box(Frame{}, {x0 + i * bay - 0.01, 0, 0}, {x0 + i * bay + 0.01, depth, 5 * step + 0.08});
   }
@@ -149,7 +149,7 @@ void DrawTable(Drawing* draw) {
   draw->Polygon(table, rings.back());
   draw->Polygon(table, {rings.front().rbegin(), rings.front().rend()});
   for (const double x : {-1.9, 0.0, 1.9}) {
-    draw->Use("wood");
+    draw->Use("oak");
     draw->Box(table, {x - 0.3, -0.06, 0.05}, {x + 0.3, 0.06, 0.695});
     draw->Use("chrome");
     draw->Box(table, {x - 0.35, -0.35, 0}, {x + 0.35, 0.35, 0.05});

@@ -36,7 +36,7 @@ inline void DrawLaptop(Drawing* draw, const Frame& laptop) {
   draw->Box(laptop, {-0.16, -0.11, 0}, {0.16, 0.11, 0.014});
   const Frame lid = laptop.Moved(0, 0.115, 0.012).Tilted(-20);
   draw->Box(lid, {-0.16, 0, 0}, {0.16, 0.008, 0.215});
-  draw->Use("screen");
+  draw->Use("display");
   draw->Polygon(lid, {{-0.15, -0.001, 0.015},
                       {0.15, -0.001, 0.015},
                       {0.15, -0.001, 0.205},

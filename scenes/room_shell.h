@@ -91,7 +91,7 @@ inline void DrawWindowWall(Drawing* draw) {
     draw->Polygon(Frame{}, {{x0, y, sill}, {x0, deep, sill}, {x0, deep, top}, {x0, y, top}});
     draw->Polygon(Frame{}, {{x1, y, sill}, {x1, deep, sill}, {x1, deep, top}, {x1, y, top}});
     draw->Polygon(Frame{}, {{x0, y, top}, {x1, y, top}, {x1, deep, top}, {x0, deep, top}});
-    draw->Use("wood");
+    draw->Use("oak");
     draw->Box(Frame{}, {x0 - 0.04, y - 0.06, sill - 0.03}, {x1 + 0.04, deep, sill});
     draw->Use("grey_metal");
     for (const double x : {x0, x0 + width / 2 - 0.02, x1 - 0.04}) {
@@ -111,7 +111,7 @@ inline void DrawWindowWall(Drawing* draw) {
 
 inline void DrawDoor(Drawing* draw, double x) {
   const Frame door = Frame{}.Moved(x, 0, 0);
-  draw->Use("wood");
+  draw->Use("oak");
   draw->Box(door, {0, 0, 0.01}, {0.95, 0.03, 2.1});
   draw->Use("white_metal");
   draw->Box(door, {-0.08, 0, 0}, {0, 0.05, 2.18});
@@ -149,7 +149,7 @@ inline void DrawEndWalls(Drawing* draw) {
   draw->Use("wall");
   draw->Polygon(Frame{}, {{0, 0, 0}, {0, kWidth, 0}, {0, kWidth, kHeight}, {0, 0, kHeight}});
   WallPart(draw, 0, 0, 0, kLength, kHeight);
-  draw->Use("wood");
+  draw->Use("oak");
   draw->Box(Frame{}, {kLength - 0.015, 0, 0}, {kLength, kWidth, 0.09});
   draw->Box(Frame{}, {0, kWidth - 0.015, 0}, {kLength, kWidth, 0.09});
   draw->Box(Frame{}, {0, 0, 0}, {8.3, 0.015, 0.09});
