@@ -27,7 +27,8 @@ void CollectCrossings(const Scene& scene, const ObjectSet& set, const Ray& shado
     crossing.opaque = resolved.bound_transp < kEpsilon;
     crossings->push_back(crossing);
     if (crossing.opaque) return;
-    rest.min_distance = std::nextafter(hit.distance, kFar);
+    // As Rayshade goes on; CSG needs the step to see which of its operands the ray is inside of.
+    rest.min_distance = hit.distance + kEpsilon;
   }
 }
 
