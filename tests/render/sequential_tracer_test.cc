@@ -112,7 +112,7 @@ TEST(TraceShadows, AGlassUnionIsCrossedTwice) {
       "union sphere glass .9 -2.3 0 0 sphere glass .9 -1.2 0 0 end\n");
   for (int i = 0; i < 100; ++i) {
     ShadowRay shadow;
-    shadow.ray = TextScene::RayTo({-9, .0031 * i, .0017 * i}, {1, .0007 * i, -.0009 * i});
+    shadow.ray = TextScene::RayTo({-9, .0031 * i, .0017 * i}, {1, .0002 * i, -.0002 * i});
     shadow.ray.min_distance = kShadowEpsilon;
     shadow.limit = kFar;
     shadow.color = {1, 1, 1};
