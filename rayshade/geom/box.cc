@@ -29,8 +29,9 @@ class Box final : public Geom {
     SetNormal(NormalAt(path->point), path);
   }
 
+  // Into the box unless the slab test takes the beginning for a place inside.
   bool Enters(const ObjectRay& ray, double min_distance, double) const override {
-    return !box_.Contains(ray.origin + min_distance * ray.direction);
+    return EntersSlabs(box_, ray.origin, ray.direction, min_distance);
   }
 
  private:

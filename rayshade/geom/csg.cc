@@ -38,14 +38,24 @@ Csg::Csg(const CompositeSpec& spec, const PlacedSpec* placed, const Member* pare
   second_ = MakeMember(&(*spec.members)[1], this, shutter);
 }
 
+// A hit before `min` can only be one that rounding (of distances brought through scaled members)
+// has put there: it was reported to an earlier search, and the next one is wanted.
 bool Csg::SearchOwn(const ObjectRay& ray, double min, double max, MemberHit* hit) const {
-  MemberHit found;
-  const bool any = kind_ == AggregateKind::kUnion       ? SearchUnion(ray, min, &found)
-                   : kind_ == AggregateKind::kIntersect ? SearchIntersection(ray, min, &found)
-                                                        : SearchDifference(ray, min, &found);
-  if (!any || found.distance < min || found.distance > max) return false;
-  *hit = found;
-  return true;
+  constexpr int kTries = 8;
+  double from = min;
+  for (int i = 0; i < kTries; ++i) {
+    MemberHit found;
+    const bool any = kind_ == AggregateKind::kUnion       ? SearchUnion(ray, from, &found)
+                     : kind_ == AggregateKind::kIntersect ? SearchIntersection(ray, from, &found)
+                                                          : SearchDifference(ray, from, &found);
+    if (!any || found.distance > max) return false;
+    if (found.distance >= min) {
+      *hit = found;
+      return true;
+    }
+    from = std::nextafter(from, INFINITY) * (1 + i * 0x1.0p-52);
+  }
+  return false;
 }
 
 bool Csg::SearchUnion(const ObjectRay& ray, double min, MemberHit* hit) const {

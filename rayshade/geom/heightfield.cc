@@ -67,7 +67,8 @@ class Heightfield final : public Geom {
   void Describe(const ObjectRay& ray, double min, double distance, HitPath* path) const override {
     BeginPath(this, ray, distance, path);
     FieldHit hit{distance, {0, 0, 1}};
-    Find(ray, min, std::nextafter(distance, INFINITY), &hit);
+    // The distance may have been taken out of this space and back.
+    Find(ray, min, distance + 1e-10 * std::abs(distance), &hit);
     SetNormal(hit.normal, path);
   }
 

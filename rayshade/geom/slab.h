@@ -32,6 +32,18 @@ inline bool IntersectSlabs(const Bounds& box, const Vector& origin, const Vector
   return true;
 }
 
+// Is the distance that IntersectSlabs finds that of an entry?
+inline bool EntersSlabs(const Bounds& box, const Vector& origin, const Vector& direction,
+                        double min) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double o = origin[axis], d = direction[axis];
+    if (d == 0) continue;
+    const double entry = ((d > 0 ? box.low[axis] : box.high[axis]) - o) / d;
+    if (entry > min) return true;
+  }
+  return false;
+}
+
 // Does the ray come into the closed box between min and max? For culling: touching counts.
 inline bool MeetsBox(const Bounds& box, const Vector& origin, const Vector& direction, double min,
                      double max) {

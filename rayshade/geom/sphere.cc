@@ -26,9 +26,10 @@ class Sphere final : public Geom {
     SetNormal({n.x / spec_.radius, n.y / spec_.radius, n.z / spec_.radius}, path);
   }
 
-  bool Enters(const ObjectRay& ray, double min_distance, double) const override {
-    const Vector from = ray.origin + min_distance * ray.direction - spec_.center;
-    return Dot(from, from) > spec_.radius * spec_.radius;
+  // The near root leads in. Rayshade asks whether the ray's beginning lies outside, which is the
+  // same but for beginnings on the sphere itself, where that is chance.
+  bool Enters(const ObjectRay& ray, double, double distance) const override {
+    return distance <= Dot(spec_.center - ray.origin, ray.direction);
   }
 
   UvPoint Uv(const HitPath& path) const override;

@@ -1,5 +1,6 @@
 // Constructive solid geometry: the table of checked rays, and sampled rays against membership of
 // points [rayshade4/2 s.9].
+#include <cmath>
 #include <random>
 
 #include "tests/geom/probe.h"
@@ -158,6 +159,53 @@ TEST(Csg, CutsHeightfields) {
                                                     Place(SphereSpec{.2, {.5, .5, .5}})}));
   EXPECT_TRUE(ShootAt(*geom, {.1, .1, 3}, {0, 0, -1}).hit);
   EXPECT_FALSE(ShootAt(*geom, {.5, .52, 3}, {0, 0, -1}).hit);
+}
+
+// As shadow rays through glass do: each search begins just behind the last hit.
+TEST(Csg, IsCrossedInOrderByARayThatGoesOnFromEachHit) {
+  PlacedSpec ball = Place(SphereSpec{.3, {}});
+  ball.attributes.transforms.Append(*Scale({3, 3, 3}));
+  PlacedSpec box = Place(BoxSpec{{-.1, -.2, -.3}, {.1, .2, .3}});
+  bool degenerate;
+  box.attributes.transforms.Append(*Rotate({1, 2, 3}, 40, &degenerate));
+  box.attributes.transforms.Append(*Scale({7, 7, 7}));
+  const auto solid = MakeGeom(Combine(AggregateKind::kUnion, {ball, box}));
+  std::mt19937_64 random(9);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  for (int i = 0; i < 500; ++i) {
+    const Vector target{coordinate(random), coordinate(random), coordinate(random)};
+    const Vector direction =
+        Normalized({coordinate(random), coordinate(random), coordinate(random)});
+    const ObjectRay ray{target - 9 * direction, direction, {}};
+    double min = kEpsilon, s;
+    int crossings = 0;
+    while (solid->Intersect(ray, min, kFar, &s)) {
+      ASSERT_GE(s, min);
+      HitPath path;
+      solid->Describe(ray, min, s, &path);
+      EXPECT_EQ(crossings % 2 == 0 ? Stamp::kEntering : Stamp::kLeaving, path.stamp) << i;
+      min = std::nextafter(s, kFar);
+      ASSERT_LT(++crossings, 9);
+    }
+    EXPECT_EQ(0, crossings % 2) << i;
+  }
+}
+
+TEST(Csg, PassesThroughToAnimatedMembersAtTheRaysMoment) {
+  PlacedSpec ball = Place(SphereSpec{1, {}});
+  AnimatedTransform move;
+  move.kind = TransformKind::kTranslate;
+  move.arguments = {Expression({{ExpressionOp::kTime}}), Expression(0.0), Expression(0.0)};
+  ball.attributes.transforms.Append(move);
+  const CompositeSpec spec =
+      Combine(AggregateKind::kUnion, {ball, Place(SphereSpec{.1, {0, 0, -5}})});
+  const auto geom = MakeGeom(spec, {0, 0, 4});
+  EXPECT_NEAR(5, geom->bounds().high.x, 1e-4);
+  EXPECT_NEAR(-1, geom->bounds().low.x, 1e-4);
+  double s;
+  EXPECT_FALSE(geom->Intersect({{3, 0, 9}, {0, 0, -1}, {0, 0}}, kEpsilon, kFar, &s));
+  EXPECT_TRUE(geom->Intersect({{3, 0, 9}, {0, 0, -1}, {0, 3}}, kEpsilon, kFar, &s));
+  EXPECT_DOUBLE_EQ(8, s);
 }
 
 }  // namespace
