@@ -44,7 +44,7 @@ PROGRAMS := $(BUILD)/rayshade $(patsubst scenes/%.cc,$(BUILD)/%,$(wildcard scene
   $(if $(wildcard parallel/pvm/trace_main.cc),$(BUILD)/prayshade-trace) \
   $(if $(wildcard parallel/sim/sim_main.cc),$(BUILD)/prayshade-sim)
 
-.PHONY: all deps demo test reference help clean
+.PHONY: all deps demo test reference lint help clean
 all: $(PROGRAMS)
 
 help:
@@ -52,6 +52,7 @@ help:
 	@echo "make demo       build, render the balls by every schedule on a private virtual machine, print a table"
 	@echo "make test       build and run every test"
 	@echo "make reference  compare with the pictures of the original program"
+	@echo "make lint       who includes whom, and the format"
 	@echo "make deps       install what is missing for all of this (apt-get; root or sudo)"
 	@echo "make clean      remove build/"
 
@@ -118,6 +119,9 @@ reference: $(BUILD)/compare_reference $(BUILD)/rayshade
 	@mkdir -p $(BUILD)/reference
 	@$(BUILD)/compare_reference $(abspath $(BUILD)/rayshade) $(abspath $(REFERENCE)) \
 	  $(abspath $(BUILD)/reference) --seeds $(SEEDS) $(SCENES)
+
+lint:
+	@tests/support/lint.sh
 
 clean:
 	rm -rf build
