@@ -135,6 +135,12 @@ void ObjectSet::Nearest(std::span<const Ray> rays, std::span<Hit> hits, OpCounts
                           counts);
 }
 
+void ObjectSet::NearestOf(const Ray& ray, uint32_t object, Hit* hit) const {
+  const Rank before = hit->rank;
+  impl_->others.Nearest(ray, object, hit->distance, hit);
+  if (hit->rank != before) hit->set = this;
+}
+
 void ObjectSet::Block(std::span<const Ray> rays, std::span<const double> limits,
                       std::span<uint8_t> blocked, OpCounts* counts) const {
   CHECK(impl_->kernels != nullptr && rays.size() == limits.size() && rays.size() == blocked.size());

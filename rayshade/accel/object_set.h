@@ -69,6 +69,9 @@ class ObjectSet {
   // is nearer_than hits[i]. Rays: any number; coherent ones are traced together.
   void Nearest(std::span<const Ray> rays, std::span<Hit> hits, OpCounts* counts) const;
 
+  // The same for one ray and one object of the set, whatever else is in the way.
+  void NearestOf(const Ray& ray, uint32_t object, Hit* hit) const;
+
   // blocked[i] becomes 1 where something opaque (bound surface with transp < kEpsilon) lies on
   // rays[i] within [min_distance, limits[i]] (each kind's own rule at the ends). Entries that are 1
   // already are skipped.

@@ -46,6 +46,7 @@ bool OtherObjects::MeetsBox(const Ray& ray, uint32_t object, double distance) co
 }
 
 bool OtherObjects::BoxDecides(const Ray& ray, uint32_t object, double distance) const {
+  if (objects_->is_sphere(object)) return distance > kSureDistance || !HasUnitDirection(ray);
   const Item& item = objects_->item(object);
   if (item.kind == kOtherLeaf) return objects_->other(item).bounded;
   if (item.kind == kPolygonLeaf && !objects_->polygon(item).planar) return true;
@@ -54,6 +55,11 @@ bool OtherObjects::BoxDecides(const Ray& ray, uint32_t object, double distance) 
 
 bool OtherObjects::Intersect(const Ray& ray, uint32_t object, double limit, double most,
                              double* distance) const {
+  if (objects_->is_sphere(object)) {
+    const SphereSpec s = objects_->sphere(object);
+    return IntersectSphere(s.center, s.radius, ray.origin, ray.direction, ray.min_distance, most,
+                           distance);
+  }
   const Item& item = objects_->item(object);
   if (item.kind == kTriangleLeaf) {
     const TriangleShape& shape = objects_->triangle(item).shape;

@@ -8,13 +8,19 @@
 
 namespace rayshade {
 
-void CollectCrossings(const Scene& scene, const ObjectSet& set, const Ray& shadow, double limit,
-                      std::vector<ShadowCrossing>* crossings, OpCounts* counts) {
+namespace {
+
+// All crossings of one object, each searched from kEpsilon behind the one before, as in Rayshade: an object's enter
+// rule and the inside of CSG need the ray to have left the surface it comes from. That other objects' crossings do not
+// enter here keeps the result independent of what else a set holds.
+void CollectOf(const Scene& scene, const ObjectSet& set, uint32_t object, const Ray& shadow,
+               double limit, std::vector<ShadowCrossing>* crossings, OpCounts* counts) {
   Ray rest = shadow;
   for (;;) {
     Hit hit;
     hit.distance = limit;
-    set.Nearest({&rest, 1}, {&hit, 1}, counts);
+    set.NearestOf(rest, object, &hit);
+    ++counts->primitive_tests;
     if (!hit.found()) return;
     SurfaceHit resolved;
     ResolveHit(scene, rest, hit, &resolved);
@@ -27,8 +33,28 @@ void CollectCrossings(const Scene& scene, const ObjectSet& set, const Ray& shado
     crossing.opaque = resolved.bound_transp < kEpsilon;
     crossings->push_back(crossing);
     if (crossing.opaque) return;
-    // As Rayshade goes on; CSG needs the step to see which of its operands the ray is inside of.
-    rest.min_distance = hit.distance + kEpsilon;
+    rest.min_distance = std::max(hit.distance + kEpsilon, std::nextafter(hit.distance, kFar));
+  }
+}
+
+}  // namespace
+
+void CollectCrossings(const Scene& scene, const ObjectSet& set, const Ray& shadow, double limit,
+                      std::vector<ShadowCrossing>* crossings, OpCounts* counts) {
+  const size_t begin = crossings->size();
+  Ray rest = shadow;
+  for (;;) {
+    // The objects in the way, one after the other; each is gone through once.
+    Hit hit;
+    hit.distance = limit;
+    set.Nearest({&rest, 1}, {&hit, 1}, counts);
+    if (!hit.found()) return;
+    const bool known =
+        std::any_of(crossings->begin() + begin, crossings->end(),
+                    [&hit](const ShadowCrossing& crossing) { return crossing.rank == hit.rank; });
+    if (!known) CollectOf(scene, set, hit.object, shadow, limit, crossings, counts);
+    if (!crossings->empty() && crossings->back().opaque) return;
+    rest.min_distance = std::nextafter(hit.distance, kFar);
   }
 }
 
