@@ -54,3 +54,16 @@ RAYSHADE_KERNEL __m256d Lanes(uint32_t mask) {
 RAYSHADE_KERNEL D8 Choose(uint32_t mask, D8 a, D8 b) {
   return {_mm256_blendv_pd(b.a, a.a, Lanes(mask)), _mm256_blendv_pd(b.b, a.b, Lanes(mask >> 4))};
 }
+RAYSHADE_KERNEL F8 operator+(F8 a, F8 b) { return {_mm256_add_ps(a.v, b.v)}; }
+RAYSHADE_KERNEL D8 Min(D8 a, D8 b) { return {_mm256_min_pd(a.a, b.a), _mm256_min_pd(a.b, b.b)}; }
+RAYSHADE_KERNEL D8 Max(D8 a, D8 b) { return {_mm256_max_pd(a.a, b.a), _mm256_max_pd(a.b, b.b)}; }
+RAYSHADE_KERNEL double Least(D8 a) {
+  const __m256d m = _mm256_min_pd(a.a, a.b);
+  const __m128d n = _mm_min_pd(_mm256_castpd256_pd128(m), _mm256_extractf128_pd(m, 1));
+  return _mm_cvtsd_f64(_mm_min_sd(n, _mm_unpackhi_pd(n, n)));
+}
+RAYSHADE_KERNEL double Largest(D8 a) {
+  const __m256d m = _mm256_max_pd(a.a, a.b);
+  const __m128d n = _mm_max_pd(_mm256_castpd256_pd128(m), _mm256_extractf128_pd(m, 1));
+  return _mm_cvtsd_f64(_mm_max_sd(n, _mm_unpackhi_pd(n, n)));
+}

@@ -31,3 +31,18 @@ RAYSHADE_KERNEL uint32_t Less(D8 a, D8 b) { return _mm512_cmp_pd_mask(a.v, b.v, 
 RAYSHADE_KERNEL D8 Choose(uint32_t mask, D8 a, D8 b) {
   return {_mm512_mask_blend_pd(static_cast<__mmask8>(mask), b.v, a.v)};
 }
+RAYSHADE_KERNEL F8 operator+(F8 a, F8 b) { return {_mm256_add_ps(a.v, b.v)}; }
+RAYSHADE_KERNEL D8 Min(D8 a, D8 b) { return {_mm512_maskz_min_pd(0xff, a.v, b.v)}; }
+RAYSHADE_KERNEL D8 Max(D8 a, D8 b) { return {_mm512_maskz_max_pd(0xff, a.v, b.v)}; }
+RAYSHADE_KERNEL __m256d LowerHalf(D8 a) { return _mm512_maskz_extractf64x4_pd(0xf, a.v, 0); }
+RAYSHADE_KERNEL __m256d UpperHalf(D8 a) { return _mm512_maskz_extractf64x4_pd(0xf, a.v, 1); }
+RAYSHADE_KERNEL double Least(D8 a) {
+  const __m256d m = _mm256_min_pd(LowerHalf(a), UpperHalf(a));
+  const __m128d n = _mm_min_pd(_mm256_castpd256_pd128(m), _mm256_extractf128_pd(m, 1));
+  return _mm_cvtsd_f64(_mm_min_sd(n, _mm_unpackhi_pd(n, n)));
+}
+RAYSHADE_KERNEL double Largest(D8 a) {
+  const __m256d m = _mm256_max_pd(LowerHalf(a), UpperHalf(a));
+  const __m128d n = _mm_max_pd(_mm256_castpd256_pd128(m), _mm256_extractf128_pd(m, 1));
+  return _mm_cvtsd_f64(_mm_max_sd(n, _mm_unpackhi_pd(n, n)));
+}

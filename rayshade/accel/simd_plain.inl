@@ -100,4 +100,30 @@ RAYSHADE_KERNEL D8 Choose(uint32_t mask, D8 a, D8 b) {
   RAYSHADE_LANES r.v[i] = (mask >> i & 1) ? a.v[i] : b.v[i];
   return r;
 }
+RAYSHADE_KERNEL F8 operator+(F8 a, F8 b) {
+  F8 r;
+  RAYSHADE_LANES r.v[i] = a.v[i] + b.v[i];
+  return r;
+}
+RAYSHADE_KERNEL D8 Min(D8 a, D8 b) {
+  D8 r;
+  RAYSHADE_LANES r.v[i] = a.v[i] < b.v[i] ? a.v[i] : b.v[i];
+  return r;
+}
+RAYSHADE_KERNEL D8 Max(D8 a, D8 b) {
+  D8 r;
+  RAYSHADE_LANES r.v[i] = a.v[i] > b.v[i] ? a.v[i] : b.v[i];
+  return r;
+}
+// The least and the largest of all lanes.
+RAYSHADE_KERNEL double Least(D8 a) {
+  double r = a.v[0];
+  RAYSHADE_LANES r = a.v[i] < r ? a.v[i] : r;
+  return r;
+}
+RAYSHADE_KERNEL double Largest(D8 a) {
+  double r = a.v[0];
+  RAYSHADE_LANES r = a.v[i] > r ? a.v[i] : r;
+  return r;
+}
 #undef RAYSHADE_LANES

@@ -1,0 +1,220 @@
+// Bundles of up to eight groups of eight rays, and the pyramids around them; part of trace.inl.
+//
+// The rays of a bundle begin, or end, in a small box: the apex (a camera, a light). Along the axis
+// of the largest component of their directions, depth w is measured from the apex; at depth w a
+// ray lies at apex + slope * w in the other two axes, u and v. A pyramid is an interval of slopes.
+// A box is left out if no slope of the interval meets it at any of its depths.
+//
+//   1. Everything is rounded outwards: the apex as in single_rays.inl, slopes by kSlopeSlack, which
+//   covers the rounding of depths and products.
+
+constexpr int kGroups = 8;
+constexpr uint32_t kBundleSize = 64;
+constexpr float kSlopeSlack = 1e-6f;
+constexpr double kLeastCosine = 0.4;  // of every ray with the axis
+constexpr double kEndless = 1e13;     // limits beyond are no ends of rays
+
+// Of one pyramid, or of eight.
+template <typename F>
+struct Slopes {
+  F u_low, u_high, v_low, v_high;
+  F most;  // depth beyond which nothing matters
+};
+
+struct Bundle {
+  alignas(64) double o[3][kGroups][8];
+  alignas(64) double d[3][kGroups][8];
+  alignas(64) double least[kGroups][8];
+  alignas(64) double best[kGroups][8];    // the hit so far, or the limit; negative: no such ray
+  alignas(64) double strict[kGroups][8];  // hits of strict kinds lie before
+  alignas(64) float u_low[8], u_high[8], v_low[8], v_high[8], most[8];  // of each group
+  Slopes<float> whole;
+  float w_near, w_far, u_near, u_far, v_near, v_far;  // apex; near: taken off the near plane
+  float sign;                                         // of the directions along the axis
+  int axis, near_plane, far_plane, u, v;              // planes of nodes; axes
+  int groups;
+  const Ray* rays;
+
+  bool has(int group, int lane) const { return best[group][lane] >= 0; }
+};
+
+struct Spread {
+  double low, high;
+};
+
+RAYSHADE_KERNEL void LoadRays(const Ray* rays, uint32_t count, Bundle* b) {
+  b->rays = rays;
+  b->groups = static_cast<int>((count + 7) / 8);
+  for (int i = 0; i < 8 * b->groups; ++i) {
+    const int group = i / 8, lane = i % 8;
+    const Ray& ray = rays[static_cast<uint32_t>(i) < count ? static_cast<uint32_t>(i) : count - 1];
+    b->o[0][group][lane] = ray.origin.x;
+    b->o[1][group][lane] = ray.origin.y;
+    b->o[2][group][lane] = ray.origin.z;
+    b->d[0][group][lane] = ray.direction.x;
+    b->d[1][group][lane] = ray.direction.y;
+    b->d[2][group][lane] = ray.direction.z;
+    b->least[group][lane] = ray.min_distance;
+  }
+}
+
+RAYSHADE_KERNEL double Larger(double a, double b) { return a > b ? a : b; }
+
+RAYSHADE_KERNEL double SizeOf(const Spread box[3]) {
+  double size = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double extent = box[axis].high - box[axis].low;
+    size = extent > size ? extent : size;
+  }
+  return size;
+}
+
+// Where the rays begin and, if `ends`, where they end: boxes.
+RAYSHADE_KERNEL void FindApex(const Bundle& b, bool ends, Spread box[3]) {
+  for (int axis = 0; axis < 3; ++axis) {
+    D8 low = SetD(__builtin_inf()), high = SetD(-__builtin_inf());
+    for (int g = 0; g < b.groups; ++g) {
+      D8 p = LoadD(b.o[axis][g]);
+      if (ends) p = p + LoadD(b.best[g]) * LoadD(b.d[axis][g]);
+      low = Min(p, low);
+      high = Max(p, high);
+    }
+    box[axis] = {Least(low), Largest(high)};
+  }
+}
+
+// The axis that all directions follow, and their sign along it; false where there is none.
+RAYSHADE_KERNEL bool FindAxis(const Bundle& b, int* axis, double* sign) {
+  const double x = b.d[0][0][0], y = b.d[1][0][0], z = b.d[2][0][0];
+  const double ax = __builtin_fabs(x), ay = __builtin_fabs(y), az = __builtin_fabs(z);
+  *axis = ax >= ay && ax >= az ? 0 : ay >= az ? 1 : 2;
+  *sign = b.d[*axis][0][0] < 0 ? -1 : 1;
+  uint32_t good = 0xff;
+  for (int g = 0; g < b.groups; ++g) {
+    const D8 dx = LoadD(b.d[0][g]), dy = LoadD(b.d[1][g]), dz = LoadD(b.d[2][g]);
+    const D8 squared = dx * dx + dy * dy + dz * dz;
+    good &= LessEqual(SetD(kLeastCosine), LoadD(b.d[*axis][g]) * SetD(*sign)) &
+            Less(SetD(1 - kUnitTolerance), squared) & Less(squared, SetD(1 + kUnitTolerance));
+  }
+  return good == 0xff;
+}
+
+// The group's depth beyond which nothing matters.
+RAYSHADE_KERNEL void UpdateMost(Bundle* b, int group) {
+  const D8 d = LoadD(b->d[b->axis][group]);
+  b->most[group] = FloatAbove(Largest(LoadD(b->best[group]) * Max(d, SetD(0) - d))) * kSlack;
+}
+
+RAYSHADE_KERNEL void UpdateWholeMost(Bundle* b) {
+  float most = -1;
+  for (int g = 0; g < kGroups; ++g) most = b->most[g] > most ? b->most[g] : most;
+  b->whole.most = most;
+}
+
+// turn: -1 for rays that are followed backwards, from their ends.
+RAYSHADE_KERNEL void FindSlopes(Bundle* b, int axis, double sign, double turn) {
+  Slopes<float>& whole = b->whole;
+  whole = {1e30f, -1e30f, 1e30f, -1e30f, -1};
+  for (int g = 0; g < 8; ++g) b->most[g] = -1;
+  for (int g = 0; g < b->groups; ++g) {
+    const D8 depth = LoadD(b->d[axis][g]) * SetD(sign);
+    const D8 u = LoadD(b->d[b->u][g]) * SetD(turn) / depth;
+    const D8 v = LoadD(b->d[b->v][g]) * SetD(turn) / depth;
+    // Slopes are at most 2.3 in size.
+    b->u_low[g] = FloatBelow(Least(u)) - 3 * kSlopeSlack;
+    b->u_high[g] = FloatAbove(Largest(u)) + 3 * kSlopeSlack;
+    b->v_low[g] = FloatBelow(Least(v)) - 3 * kSlopeSlack;
+    b->v_high[g] = FloatAbove(Largest(v)) + 3 * kSlopeSlack;
+    UpdateMost(b, g);
+    whole.u_low = b->u_low[g] < whole.u_low ? b->u_low[g] : whole.u_low;
+    whole.u_high = b->u_high[g] > whole.u_high ? b->u_high[g] : whole.u_high;
+    whole.v_low = b->v_low[g] < whole.v_low ? b->v_low[g] : whole.v_low;
+    whole.v_high = b->v_high[g] > whole.v_high ? b->v_high[g] : whole.v_high;
+  }
+  UpdateWholeMost(b);
+}
+
+// Puts a pyramid around the rays; false where they are too wide apart to gain from one. best must
+// be set. ended: the rays' limits are where they end.
+RAYSHADE_KERNEL bool SurroundRays(const TraceView& view, bool ended, float widest, Bundle* b) {
+  int axis;
+  double sign;
+  if (!FindAxis(*b, &axis, &sign)) return false;
+  Spread apex[3], end[3];
+  FindApex(*b, false, apex);
+  double size = SizeOf(apex);
+  bool from_end = false;
+  if (ended && size > 0) {
+    FindApex(*b, true, end);
+    const double end_size = SizeOf(end);
+    if (end_size < size) {
+      from_end = true;
+      size = end_size;
+      for (int k = 0; k < 3; ++k) apex[k] = end[k];
+    }
+  }
+  b->u = axis == 0 ? 1 : 0;
+  b->v = axis == 2 ? 1 : 2;
+  b->axis = axis;
+  FindSlopes(b, axis, sign, from_end ? -1 : 1);
+  if (from_end) sign = -sign;
+  const Slopes<float>& w = b->whole;
+  if (w.u_high - w.u_low > widest || w.v_high - w.v_low > widest) return false;
+  // The apex, rounded outwards.
+  float low[3], high[3];
+  for (int k = 0; k < 3; ++k) {
+    const double largest = Larger(__builtin_fabs(apex[k].low), __builtin_fabs(apex[k].high));
+    low[k] = FloatBelow(apex[k].low - view.center[k] - 1e-14 * largest);
+    high[k] = FloatAbove(apex[k].high - view.center[k] + 1e-14 * largest);
+  }
+  const bool forward = sign > 0;
+  b->sign = forward ? 1 : -1;
+  b->near_plane = forward ? axis : 3 + axis;
+  b->far_plane = forward ? 3 + axis : axis;
+  b->w_near = forward ? high[axis] : low[axis];
+  b->w_far = forward ? low[axis] : high[axis];
+  b->u_near = high[b->u];
+  b->u_far = low[b->u];
+  b->v_near = high[b->v];
+  b->v_far = low[b->v];
+  return true;
+}
+
+// Which boxes (given by their planes) the pyramids may meet, and from which depth on.
+RAYSHADE_KERNEL uint32_t MeetPyramids(const Bundle& b, const Slopes<F8>& p, F8 near, F8 far,
+                                      F8 u_low, F8 u_high, F8 v_low, F8 v_high, F8* depth) {
+  const F8 sign = SetF(b.sign);
+  const F8 w0 = Max((near - SetF(b.w_near)) * sign, SetF(0));
+  const F8 w1 = Min((far - SetF(b.w_far)) * sign, p.most);
+  *depth = w0;
+  return LessEqual(w0, w1) & LessEqual(u_low - SetF(b.u_near), Max(p.u_high * w0, p.u_high * w1)) &
+         LessEqual(Min(p.u_low * w0, p.u_low * w1), u_high - SetF(b.u_far)) &
+         LessEqual(v_low - SetF(b.v_near), Max(p.v_high * w0, p.v_high * w1)) &
+         LessEqual(Min(p.v_low * w0, p.v_low * w1), v_high - SetF(b.v_far));
+}
+
+// A node's children against one pyramid: a group's own, or the whole bundle's where group < 0.
+RAYSHADE_KERNEL uint32_t ChildrenInPyramid(const Bundle& b, const Node& node, int group,
+                                           F8* depth) {
+  Slopes<F8> p;
+  if (group < 0) {
+    const Slopes<float>& w = b.whole;
+    p = {SetF(w.u_low), SetF(w.u_high), SetF(w.v_low), SetF(w.v_high), SetF(w.most)};
+  } else {
+    p = {SetF(b.u_low[group]), SetF(b.u_high[group]), SetF(b.v_low[group]), SetF(b.v_high[group]),
+         SetF(b.most[group])};
+  }
+  return MeetPyramids(b, p, LoadF(node.plane[b.near_plane]), LoadF(node.plane[b.far_plane]),
+                      LoadF(node.plane[b.u]), LoadF(node.plane[3 + b.u]), LoadF(node.plane[b.v]),
+                      LoadF(node.plane[3 + b.v]), depth);
+}
+
+// One child against the pyramids of all groups: bits of the groups.
+RAYSHADE_KERNEL uint32_t GroupsAtChild(const Bundle& b, const Node& node, uint32_t i) {
+  const Slopes<F8> p = {LoadF(b.u_low), LoadF(b.u_high), LoadF(b.v_low), LoadF(b.v_high),
+                        LoadF(b.most)};
+  F8 depth;
+  return MeetPyramids(b, p, SetF(node.plane[b.near_plane][i]), SetF(node.plane[b.far_plane][i]),
+                      SetF(node.plane[b.u][i]), SetF(node.plane[3 + b.u][i]),
+                      SetF(node.plane[b.v][i]), SetF(node.plane[3 + b.v][i]), &depth);
+}

@@ -1,0 +1,250 @@
+// Single rays against a hierarchy of nodes with eight children; part of trace.inl.
+//
+//   1. A child is left out only if no computed hit can lie in it, nearer than or at the best
+//   distance so far: planes are rounded outwards, origins are rounded both ways, and distances are
+//   compared with kSlack to spare, which covers the rounding of inverse, difference, product and of
+//   hits beyond kSureDistance.
+//   2. Which children are visited, and in which order, does not change an answer.
+
+constexpr float kSlack = 1.000001f;
+constexpr double kSmallestDirection = 1e-30;
+
+struct Counters {
+  uint64_t nodes = 0, tests = 0;
+};
+
+// A ray as the nodes see it: single precision, relative to the hierarchy's center.
+struct SlabRay {
+  F8 near_origin[3], far_origin[3], inverse[3], least;
+  int near_plane[3], far_plane[3];
+};
+
+// One ray at work.
+struct RayWork {
+  double o[3], d[3];
+  double least;         // hits lie beyond
+  double strict_limit;  // hits of strict kinds lie before
+  double sure;          // hits beyond are checked against the object's box
+  const Ray* ray;
+};
+
+RAYSHADE_KERNEL float FloatBelow(double x) {
+  const float f = static_cast<float>(x);
+  return f - __builtin_fabsf(f) * 1.2e-7f;
+}
+RAYSHADE_KERNEL float FloatAbove(double x) {
+  const float f = static_cast<float>(x);
+  return f + __builtin_fabsf(f) * 1.2e-7f;
+}
+
+RAYSHADE_KERNEL void SetUp(const TraceView& view, const Ray& ray, RayWork* w, SlabRay* s) {
+  const double o[3] = {ray.origin.x, ray.origin.y, ray.origin.z};
+  const double d[3] = {ray.direction.x, ray.direction.y, ray.direction.z};
+  double squared = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    w->o[axis] = o[axis];
+    w->d[axis] = d[axis];
+    squared += d[axis] * d[axis];
+    const bool negative = __builtin_signbit(d[axis]);
+    const double size = __builtin_fabs(d[axis]);
+    const double clamped = size < kSmallestDirection ? kSmallestDirection : size;
+    const float inverse = static_cast<float>(1.0 / (negative ? -clamped : clamped));
+    const double relative = o[axis] - view.center[axis];
+    const float above = FloatAbove(relative), below = FloatBelow(relative);
+    s->near_origin[axis] = SetF(negative ? below : above);
+    s->far_origin[axis] = SetF(negative ? above : below);
+    s->inverse[axis] = SetF(inverse);
+    s->near_plane[axis] = negative ? 3 + axis : axis;
+    s->far_plane[axis] = negative ? axis : 3 + axis;
+  }
+  s->least = SetF(FloatBelow(ray.min_distance) * (2 - kSlack));
+  w->least = ray.min_distance;
+  w->sure = __builtin_fabs(squared - 1) < kUnitTolerance ? kSureDistance : -1;
+  w->ray = &ray;
+}
+
+// The children that the ray meets not farther away than `most` (in single precision, with slack);
+// *entry: where.
+RAYSHADE_KERNEL uint32_t MeetChildren(const Node& node, const SlabRay& s, float most, F8* entry) {
+  F8 near = s.least, far = SetF(most);
+  for (int axis = 0; axis < 3; ++axis) {
+    near =
+        Max((LoadF(node.plane[s.near_plane[axis]]) - s.near_origin[axis]) * s.inverse[axis], near);
+    far = Min((LoadF(node.plane[s.far_plane[axis]]) - s.far_origin[axis]) * s.inverse[axis] *
+                  SetF(kSlack),
+              far);
+  }
+  *entry = near;
+  return LessEqual(near, far);
+}
+
+RAYSHADE_KERNEL float Loosened(double distance) { return FloatAbove(distance) * kSlack; }
+
+RAYSHADE_KERNEL bool Counts(const TraceView& view, const RayWork& w, double distance,
+                            uint32_t object) {
+  return distance <= w.sure || view.callbacks.meets_box(view.set, *w.ray, object, distance);
+}
+
+// Up to eight spheres, one a lane, against a ray: the very operations of IntersectSphere
+// (geom/sphere.h). Bits of those hit in (least, limit) and not beyond best; *distance: where.
+RAYSHADE_KERNEL uint32_t MeetSpheres(const double* rows, int count, const RayWork& w, double best,
+                                     D8* distance) {
+  const D8 dx = SetD(w.d[0]), dy = SetD(w.d[1]), dz = SetD(w.d[2]);
+  const D8 cx = LoadD(rows) - SetD(w.o[0]);
+  const D8 cy = LoadD(rows + count) - SetD(w.o[1]);
+  const D8 cz = LoadD(rows + 2 * count) - SetD(w.o[2]);
+  const D8 radius = LoadD(rows + 3 * count);
+  const D8 b = cx * dx + cy * dy + cz * dz;
+  const D8 px = cx - b * dx, py = cy - b * dy, pz = cz - b * dz;
+  const D8 discriminant = radius * radius - (px * px + py * py + pz * pz);
+  const uint32_t real = LessEqual(SetD(0), discriminant) & ((1u << count) - 1);
+  if (real == 0) return 0;
+  const D8 root = Sqrt(discriminant);
+  const D8 first = b - root, second = b + root, least = SetD(w.least);
+  const D8 s = Choose(Less(least, first), first, second);
+  *distance = s;
+  return real & Less(least, s) & LessEqual(s, SetD(best)) & Less(s, SetD(w.strict_limit));
+}
+
+RAYSHADE_KERNEL void NearestInSpheres(const TraceView& view, const RayWork& w, uint32_t first,
+                                      int count, Hit* hit) {
+  D8 distance;
+  uint32_t bits = MeetSpheres(view.spheres + 4 * static_cast<size_t>(first), count, w,
+                              hit->distance, &distance);
+  if (bits == 0) return;
+  alignas(64) double at[8];
+  Store(distance, at);
+  for (; bits != 0; bits &= bits - 1) {
+    const uint32_t lane = static_cast<uint32_t>(__builtin_ctz(bits)), object = first + lane;
+    if (at[lane] > hit->distance) continue;
+    const uint32_t rank = view.keys[object].rank;
+    if (at[lane] == hit->distance && rank >= hit->rank) continue;
+    if (!Counts(view, w, at[lane], object)) continue;
+    hit->distance = at[lane];
+    hit->rank = rank;
+    hit->object = object;
+  }
+}
+
+RAYSHADE_KERNEL bool SpheresBlock(const TraceView& view, const RayWork& w, uint32_t first,
+                                  int count, double limit) {
+  D8 distance;
+  uint32_t bits =
+      MeetSpheres(view.spheres + 4 * static_cast<size_t>(first), count, w, limit, &distance);
+  if (bits == 0) return false;
+  alignas(64) double at[8];
+  Store(distance, at);
+  for (; bits != 0; bits &= bits - 1) {
+    const uint32_t lane = static_cast<uint32_t>(__builtin_ctz(bits)), object = first + lane;
+    if (!view.all_opaque && !view.opaque[view.keys[object].placement]) continue;
+    if (Counts(view, w, at[lane], object)) return true;
+  }
+  return false;
+}
+
+struct StackEntry {
+  float entry;
+  uint32_t child;
+  uint8_t kind, count;
+};
+
+RAYSHADE_KERNEL void NearestInLeaf(const TraceView& view, const RayWork& w, const StackEntry& leaf,
+                                   Hit* hit) {
+  if (leaf.kind == kSphereLeaf) {
+    NearestInSpheres(view, w, leaf.child, leaf.count, hit);
+    return;
+  }
+  for (uint32_t i = leaf.child; i < leaf.child + leaf.count; ++i) {
+    view.callbacks.nearest_other(view.set, *w.ray, i, w.strict_limit, hit);
+  }
+}
+
+RAYSHADE_KERNEL bool LeafBlocks(const TraceView& view, const RayWork& w, const StackEntry& leaf,
+                                double limit) {
+  if (leaf.kind == kSphereLeaf) return SpheresBlock(view, w, leaf.child, leaf.count, limit);
+  for (uint32_t i = leaf.child; i < leaf.child + leaf.count; ++i) {
+    if (view.callbacks.blocks_other(view.set, *w.ray, i, limit)) return true;
+  }
+  return false;
+}
+
+// Puts the children on the stack, the nearest on top.
+RAYSHADE_KERNEL StackEntry* PushSorted(const Node& node, uint32_t bits, F8 entries,
+                                       StackEntry* top) {
+  alignas(32) float entry[8];
+  Store(entries, entry);
+  StackEntry* const bottom = top;
+  for (; bits != 0; bits &= bits - 1) {
+    const uint32_t i = static_cast<uint32_t>(__builtin_ctz(bits));
+    const StackEntry e{entry[i], node.child[i], node.kind[i], node.count[i]};
+    StackEntry* p = top++;
+    for (; p > bottom && p[-1].entry < e.entry; --p) *p = p[-1];
+    *p = e;
+  }
+  return top;
+}
+
+RAYSHADE_KERNEL void NearestOfOne(const TraceView& view, const Ray& ray, Hit* hit,
+                                  Counters* counters) {
+  RayWork w;
+  SlabRay s;
+  SetUp(view, ray, &w, &s);
+  w.strict_limit = hit->rank == kNoRank ? hit->distance : __builtin_inf();
+  for (uint32_t i = 0; i < view.unbounded_count; ++i) {
+    view.callbacks.nearest_other(view.set, ray, view.unbounded[i], w.strict_limit, hit);
+  }
+  counters->tests += view.unbounded_count;
+  if (view.node_count == 0) return;
+  StackEntry stack[kStackSize];
+  StackEntry* top = stack;
+  *top++ = {0, 0, kInnerNode, 0};
+  while (top != stack) {
+    const StackEntry e = *--top;
+    const float most = Loosened(hit->distance);
+    if (e.entry > most) continue;
+    if (e.kind != kInnerNode) {
+      counters->tests += e.count;
+      NearestInLeaf(view, w, e, hit);
+      continue;
+    }
+    ++counters->nodes;
+    F8 entries;
+    const Node& node = view.nodes[e.child];
+    const uint32_t bits = MeetChildren(node, s, most, &entries);
+    top = PushSorted(node, bits, entries, top);
+  }
+}
+
+RAYSHADE_KERNEL bool OneIsBlocked(const TraceView& view, const Ray& ray, double limit,
+                                  Counters* counters) {
+  RayWork w;
+  SlabRay s;
+  SetUp(view, ray, &w, &s);
+  w.strict_limit = limit;
+  for (uint32_t i = 0; i < view.unbounded_count; ++i) {
+    ++counters->tests;
+    if (view.callbacks.blocks_other(view.set, ray, view.unbounded[i], limit)) return true;
+  }
+  if (view.node_count == 0) return false;
+  const float most = Loosened(limit);
+  StackEntry stack[kStackSize];
+  StackEntry* top = stack;
+  *top++ = {0, 0, kInnerNode, 0};
+  while (top != stack) {
+    const StackEntry e = *--top;
+    if (e.kind != kInnerNode) {
+      counters->tests += e.count;
+      if (LeafBlocks(view, w, e, limit)) return true;
+      continue;
+    }
+    ++counters->nodes;
+    F8 entries;
+    const Node& node = view.nodes[e.child];
+    uint32_t bits = MeetChildren(node, s, most, &entries);
+    for (; bits != 0; bits &= bits - 1) {
+      const uint32_t i = static_cast<uint32_t>(__builtin_ctz(bits));
+      *top++ = {0, node.child[i], node.kind[i], node.count[i]};
+    }
+  }
+  return false;
+}
