@@ -49,8 +49,7 @@ class ByteWriter {
 
   template <WireNumber T>
   void Put(const T& value) {
-    const auto* p = reinterpret_cast<const uint8_t*>(&value);
-    bytes_.insert(bytes_.end(), p, p + sizeof(T));
+    Append(&value, sizeof(T));
   }
   template <class T, size_t n>
   void Put(const T (&values)[n]) {
@@ -58,14 +57,13 @@ class ByteWriter {
   }
   void Put(const std::string& s) {
     Put(static_cast<uint32_t>(s.size()));
-    bytes_.insert(bytes_.end(), s.begin(), s.end());
+    Append(s.data(), s.size());
   }
   template <class T>
   void Put(const std::vector<T>& values) {
     Put(static_cast<uint32_t>(values.size()));
     if constexpr (WireNumber<T>) {
-      const auto* p = reinterpret_cast<const uint8_t*>(values.data());
-      bytes_.insert(bytes_.end(), p, p + values.size() * sizeof(T));
+      Append(values.data(), values.size() * sizeof(T));
     } else {
       for (const T& v : values) Put(v);
     }
@@ -101,6 +99,12 @@ class ByteWriter {
   std::vector<uint8_t>& bytes() { return bytes_; }
 
  private:
+  void Append(const void* from, size_t count) {
+    const size_t at = bytes_.size();
+    bytes_.resize(at + count);
+    if (count > 0) std::memcpy(bytes_.data() + at, from, count);
+  }
+
   std::vector<uint8_t> bytes_;
 };
 
