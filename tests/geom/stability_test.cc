@@ -3,6 +3,7 @@
 #include <functional>
 #include <random>
 
+#include "rayshade/geom/quartic.h"
 #include "tests/geom/probe.h"
 
 namespace rayshade {
@@ -149,6 +150,84 @@ TEST(Stability, RaysThatLeaveASurfaceDoNotMeetItWhereTheyBegin) {
       }
     }
   }
+}
+
+TEST(Stability, NoRayHoweverFarOrObliqueGetsADistanceThatIsNoNumber) {
+  const double magnitudes[] = {0, 5e-324, 1e-300, 1e-12, 1, 1e12, 1e150, 1e300};
+  std::vector<Kind> kinds = Kinds(1);
+  kinds.push_back({"triangle", TriangleSpec{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {}});
+  kinds.push_back({"polygon", PolygonSpec{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}}, {}});
+  kinds.push_back({"plane", PlaneSpec{{}, {0, 0, 1}}, {}});
+  kinds.push_back({"disc", DiscSpec{1, {}, {0, 0, 1}}, {}});
+  kinds.push_back(
+      {"heightfield", HeightfieldSpec{"", 3, std::make_shared<std::vector<float>>(9, .5f)}, {}});
+  for (const Kind& kind : kinds) {
+    const auto geom = MakeGeom(kind.spec);
+    Random random(8);
+    for (int i = 0; i < 3000; ++i) {
+      const auto some = [&] {
+        const double size = magnitudes[random() % std::size(magnitudes)];
+        return random() % 2 ? size : -size;
+      };
+      const Vector origin{some(), some(), some()};
+      Vector direction = i % 2 ? Vector{some(), some(), some()} : -origin;
+      const double largest =
+          std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
+      if (largest == 0) continue;
+      direction = Normalized({direction.x / largest, direction.y / largest, direction.z / largest});
+      const Probe probe = ShootAt(*geom, origin, direction);
+      if (!probe.hit) continue;
+      EXPECT_TRUE(std::isfinite(probe.distance)) << kind.name;
+      EXPECT_TRUE(IsFinite(probe.path.normal)) << kind.name;
+      EXPECT_TRUE(std::isfinite(probe.uv.u) && std::isfinite(probe.uv.v)) << kind.name;
+    }
+  }
+}
+
+TEST(Torus, IsRightFromThinWiresToSpindles) {
+  for (const double tube : {1e-4, 1e-2, .5, 1.0, 1.5}) {
+    const auto geom = MakeGeom(TorusSpec{1, tube, {}, {0, 0, 1}});
+    Random random(7);
+    std::uniform_real_distribution<double> turn(0, 2 * kPi);
+    for (int i = 0; i < 300; ++i) {
+      // Towards a point of the ring, along which the ray must be within the tube.
+      const double angle = turn(random);
+      const Vector target{std::cos(angle), std::sin(angle), 0};
+      const Vector direction = RandomDirection(&random);
+      const Probe probe = ShootAt(*geom, target - 5 * direction, direction);
+      ASSERT_TRUE(probe.hit) << tube;
+      ASSERT_LT(probe.distance, 5);
+      const Vector p = probe.path.point;
+      const double rho = std::hypot(p.x, p.y);
+      const double off = std::min(std::abs(std::hypot(rho - 1, p.z) - tube),
+                                  std::abs(std::hypot(rho + 1, p.z) - tube));
+      ASSERT_LT(off, 1e-13) << tube;
+      ASSERT_NEAR(1, Length(probe.path.normal), 1e-12) << tube;
+    }
+  }
+}
+
+TEST(Quartic, FindsAllSignChangesInOrder) {
+  // (x - 1)(x - 2)(x - 3)(x - 4)
+  const Quartic q{{24, -50, 35, -10, 1}};
+  double roots[4];
+  ASSERT_EQ(4, SignChanges(q, 0, 5, roots));
+  for (int i = 0; i < 4; ++i) EXPECT_NEAR(i + 1, roots[i], 1e-13);
+  ASSERT_EQ(2, SignChanges(q, 1.5, 3.5, roots));
+  EXPECT_NEAR(2, roots[0], 1e-13);
+  EXPECT_EQ(0, SignChanges(Quartic{{1, 0, 2, 0, 1}}, -9, 9, roots));
+}
+
+TEST(Quartic, CarriesTheSignFromPieceToPiece) {
+  const Quartic line{{-1, 1, 0, 0, 0}};
+  double roots[5];
+  int sign = 0;
+  EXPECT_EQ(0, SignChanges(line, 2, 3, &sign, roots));
+  EXPECT_EQ(1, sign);
+  sign = -1;
+  ASSERT_EQ(1, SignChanges(line, 2, 3, &sign, roots));
+  EXPECT_EQ(2, roots[0]);
+  ASSERT_EQ(1, SignChanges(line, 0, 3, &(sign = 0), roots));
 }
 
 TEST(Blob, IsLeftByEveryRayThatEntersIt) {
