@@ -113,8 +113,7 @@ double Run(const std::vector<ExpressionStep>& steps, const Moment& moment, doubl
 
 int TruncateToInt(double number) {
   if (std::isnan(number)) return 0;
-  return static_cast<int>(std::clamp(number,
-                                     static_cast<double>(std::numeric_limits<int>::min()),
+  return static_cast<int>(std::clamp(number, static_cast<double>(std::numeric_limits<int>::min()),
                                      static_cast<double>(std::numeric_limits<int>::max())));
 }
 

@@ -141,8 +141,8 @@ HeightfieldSpec DataFiles::ReadHeightfield(const std::string& name) {
     const std::string path = Find(name);
     std::ifstream file = Open(path, "Cannot open heightfield file \"" + name + "\".");
     spec.file = name;
-    spec.altitudes =
-        IsPng(&file) ? PngAltitudes(Png(path, name), &spec.size) : BinaryAltitudes(&file, &spec.size);
+    spec.altitudes = IsPng(&file) ? PngAltitudes(Png(path, name), &spec.size)
+                                  : BinaryAltitudes(&file, &spec.size);
   }
   return spec;
 }

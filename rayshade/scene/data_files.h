@@ -1,4 +1,5 @@
-// Files that a scene names: colour maps, height fields and images. Each is read once, at parse time.
+// Files that a scene names: colour maps, height fields and images. Each is read once, at parse
+// time.
 #pragma once
 
 #include <map>

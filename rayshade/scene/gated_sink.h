@@ -1,4 +1,5 @@
-// A sink that hands on what it gets until the first error; what follows is read for its mistakes only.
+// A sink that hands on what it gets until the first error; what follows is read for its mistakes
+// only.
 #pragma once
 
 #include <utility>

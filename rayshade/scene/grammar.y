@@ -105,41 +105,41 @@ num:
 int: num                                          { $$ = TruncateToInt($1); } ;
 
 anum:
-    T_NUMBER                                      { $$ = {$1, nullptr}; }
-  | T_SIGNED                                      { $$ = {$1, nullptr}; }
-  | '+' T_NUMBER                                  { $$ = {$2, nullptr}; }
-  | '-' T_NUMBER                                  { $$ = {-$2, nullptr}; }
+    T_NUMBER                                      { $$ = c->KeepNumber($1); }
+  | T_SIGNED                                      { $$ = c->KeepNumber($1); }
+  | '+' T_NUMBER                                  { $$ = c->KeepNumber($2); }
+  | '-' T_NUMBER                                  { $$ = c->KeepNumber(-$2); }
   | '(' expr ')'                                  { $$ = $2; }
   ;
 
-vec: num num num                                  { $$ = {$1, $2, $3}; } ;
+vec: num num num                                  { $$ = c->Keep(Triple{$1, $2, $3}); } ;
 
 intensity:
-    num                                           { $$ = {$1, $1, $1}; }
-  | num num num                                   { $$ = {$1, $2, $3}; }
+    num                                           { $$ = c->Keep(Triple{$1, $1, $1}); }
+  | num num num                                   { $$ = c->Keep(Triple{$1, $2, $3}); }
   ;
 
 filename: T_NAME | T_PATH ;
 
 expr:
-    T_NUMBER                                      { $$ = {$1, nullptr}; }
-  | T_NAME                                        { $$ = c->symbols.Variable($1); }
+    T_NUMBER                                      { $$ = c->KeepNumber($1); }
+  | T_NAME                                        { $$ = c->Keep(c->symbols.Variable($1)); }
   | '(' expr ')'                                  { $$ = $2; }
-  | expr '+' expr                                 { $$ = c->symbols.Operate(ExpressionOp::kAdd, {$1, $3}); }
-  | expr '-' expr                                 { $$ = c->symbols.Operate(ExpressionOp::kSubtract, {$1, $3}); }
-  | expr '*' expr                                 { $$ = c->symbols.Operate(ExpressionOp::kMultiply, {$1, $3}); }
-  | expr '/' expr                                 { $$ = c->symbols.Operate(ExpressionOp::kDivide, {$1, $3}); }
-  | expr '%' expr                                 { $$ = c->symbols.Operate(ExpressionOp::kRemainder, {$1, $3}); }
-  | expr '^' expr                                 { $$ = c->symbols.Operate(ExpressionOp::kPower, {$1, $3}); }
-  | '-' expr %prec SIGN                           { $$ = c->symbols.Operate(ExpressionOp::kNegate, {$2}); }
+  | expr '+' expr                                 { $$ = c->Keep(c->symbols.Operate(ExpressionOp::kAdd, {$1, $3})); }
+  | expr '-' expr                                 { $$ = c->Keep(c->symbols.Operate(ExpressionOp::kSubtract, {$1, $3})); }
+  | expr '*' expr                                 { $$ = c->Keep(c->symbols.Operate(ExpressionOp::kMultiply, {$1, $3})); }
+  | expr '/' expr                                 { $$ = c->Keep(c->symbols.Operate(ExpressionOp::kDivide, {$1, $3})); }
+  | expr '%' expr                                 { $$ = c->Keep(c->symbols.Operate(ExpressionOp::kRemainder, {$1, $3})); }
+  | expr '^' expr                                 { $$ = c->Keep(c->symbols.Operate(ExpressionOp::kPower, {$1, $3})); }
+  | '-' expr %prec SIGN                           { $$ = c->Keep(c->symbols.Operate(ExpressionOp::kNegate, {$2})); }
   | '+' expr %prec SIGN                           { $$ = $2; }
-  | T_NAME '(' expr ')'                           { $$ = c->symbols.Call($1, {$3}); }
-  | T_NAME '(' expr ',' expr ')'                  { $$ = c->symbols.Call($1, {$3, $5}); }
-  | T_NAME '(' expr ',' expr ',' expr ')'         { $$ = c->symbols.Call($1, {$3, $5, $7}); }
+  | T_NAME '(' expr ')'                           { $$ = c->Keep(c->symbols.Call($1, {$3})); }
+  | T_NAME '(' expr ',' expr ')'                  { $$ = c->Keep(c->symbols.Call($1, {$3, $5})); }
+  | T_NAME '(' expr ',' expr ',' expr ')'         { $$ = c->Keep(c->symbols.Call($1, {$3, $5, $7})); }
   | T_NAME '(' expr ',' expr ',' expr ',' expr ')'
-                                                  { $$ = c->symbols.Call($1, {$3, $5, $7, $9}); }
+                                                  { $$ = c->Keep(c->symbols.Call($1, {$3, $5, $7, $9})); }
   | T_NAME '(' expr ',' expr ',' expr ',' expr ',' expr ')'
-                                                  { $$ = c->symbols.Call($1, {$3, $5, $7, $9, $11}); }
+                                                  { $$ = c->Keep(c->symbols.Call($1, {$3, $5, $7, $9, $11})); }
   ;
 
 /* ---- view ---- */

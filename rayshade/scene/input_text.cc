@@ -64,8 +64,7 @@ bool InputText::Open(const Options& options, Diagnostics* diagnostics) {
 }
 
 bool InputText::StartPreprocessor(const Options& options) {
-  const int error =
-      preprocessor_.Start(SplitWords(options.preprocessor_arguments), options.input);
+  const int error = preprocessor_.Start(SplitWords(options.preprocessor_arguments), options.input);
   if (error == ENOENT) {
     diagnostics_->Report(Severity::kFatal, {},
                          "Cannot run the C preprocessor: no program cpp was found. Install it, or "
@@ -88,9 +87,9 @@ size_t InputText::Read(char* buffer, size_t size) {
 
 void InputText::Finish() {
   if (!preprocessor_.Finish()) {
-    diagnostics_->Report(Severity::kWarn, {name_, 0},
-                         "The preprocessor complained about " + name_ +
-                             "; only what it passed on is rendered.");
+    diagnostics_->Report(
+        Severity::kWarn, {name_, 0},
+        "The preprocessor complained about " + name_ + "; only what it passed on is rendered.");
   }
 }
 

@@ -1,4 +1,5 @@
-// The text of a scene: a file or standard input, through the preprocessor or not, as a stream of bytes.
+// The text of a scene: a file or standard input, through the preprocessor or not, as a stream of
+// bytes.
 #pragma once
 
 #include <string>

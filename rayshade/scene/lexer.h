@@ -1,5 +1,5 @@
-// From characters to tokens [rayshade4/1 s.1, 2.3, 2.4]. Reads in large pieces and keeps none of them: memory
-// does not grow with the length of the input.
+// From characters to tokens [rayshade4/1 s.1, 2.3, 2.4]. Reads in large pieces and keeps none of
+// them: memory does not grow with the length of the input.
 #pragma once
 
 #include <cstddef>
@@ -40,8 +40,8 @@ class Lexer {
 
   // The next token of the grammar; 0 at the end of the input.
   int Next(ParserValue* value);
-  // Reads on from `token` until one with which an item may begin (in a body: an aggregate's item, or
-  // `end`), or the end; returns that one. Open parentheses are forgotten.
+  // Reads on from `token` until one with which an item may begin (in a body: an aggregate's item,
+  // or `end`), or the end; returns that one. Open parentheses are forgotten.
   int SkipToItem(int token, bool in_body);
 
   const std::string& text(NameId name) const { return state_.names.text(name); }
@@ -54,7 +54,8 @@ class Lexer {
   void* scanner_;                // flex's own
 };
 
-// A line that begins with #: where the text comes from. text: without the #. Anything else is a fatal error.
+// A line that begins with #: where the text comes from. text: without the #. Anything else is a
+// fatal error.
 void ReadLineControl(std::string_view text, ScanState* state);
 
 }  // namespace rayshade

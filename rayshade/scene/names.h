@@ -1,5 +1,5 @@
-// Words of a scene file, each stored once. A word is known by its number: 0, 1, 2 … in order of first
-// appearance, so that what is known about it can lie in an array.
+// Words of a scene file, each stored once. A word is known by its number: 0, 1, 2 … in order of
+// first appearance, so that what is known about it can lie in an array.
 #pragma once
 
 #include <cstdint>

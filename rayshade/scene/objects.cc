@@ -47,15 +47,15 @@ void Objects::Set(SurfaceId surface, GeomSpec&& spec) {
   making_ = complaint->severity >= Severity::kError ? Making::kWrong : Making::kNothing;
 }
 
-void Objects::SetTriangle(SurfaceId surface, const std::array<Triple, 3>& points) {
+void Objects::SetTriangle(SurfaceId surface, const std::array<Vector, 3>& points) {
   TriangleSpec spec;
   for (int i = 0; i < 3; ++i) spec.point[i] = points[i];
   spec.flip = flip_normals_;
   Set(surface, std::move(spec));
 }
 
-void Objects::SetPhongTriangle(SurfaceId surface, const std::array<Triple, 3>& points,
-                               const std::array<Triple, 3>& normals) {
+void Objects::SetPhongTriangle(SurfaceId surface, const std::array<Vector, 3>& points,
+                               const std::array<Vector, 3>& normals) {
   PhongTriangleSpec spec;
   for (int i = 0; i < 3; ++i) {
     spec.point[i] = points[i];
@@ -65,9 +65,8 @@ void Objects::SetPhongTriangle(SurfaceId surface, const std::array<Triple, 3>& p
   Set(surface, std::move(spec));
 }
 
-void Objects::SetTriangleUv(SurfaceId surface, const std::array<Triple, 3>& points,
-                            const std::array<Triple, 3>& normals,
-                            const std::array<double, 6>& uv) {
+void Objects::SetTriangleUv(SurfaceId surface, const std::array<Vector, 3>& points,
+                            const std::array<Vector, 3>& normals, const std::array<double, 6>& uv) {
   TriangleUvSpec spec;
   for (int i = 0; i < 3; ++i) {
     spec.point[i] = points[i];

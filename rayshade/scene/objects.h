@@ -3,8 +3,8 @@
 //
 //   1. At most one object is in the making: what stands inside an aggregate is placed before the
 //   aggregate ends.
-//   2. An object that was refused is left out; one that was wrong (an error) still counts as a member,
-//   so that no other complaint follows from it.
+//   2. An object that was refused is left out; one that was wrong (an error) still counts as a
+//   member, so that no other complaint follows from it.
 #pragma once
 
 #include <array>
@@ -25,11 +25,11 @@ class Objects {
 
   // The shape of an object.
   void Set(SurfaceId surface, GeomSpec&& spec);
-  void SetTriangle(SurfaceId surface, const std::array<Triple, 3>& points);
-  void SetPhongTriangle(SurfaceId surface, const std::array<Triple, 3>& points,
-                        const std::array<Triple, 3>& normals);
-  void SetTriangleUv(SurfaceId surface, const std::array<Triple, 3>& points,
-                     const std::array<Triple, 3>& normals, const std::array<double, 6>& uv);
+  void SetTriangle(SurfaceId surface, const std::array<Vector, 3>& points);
+  void SetPhongTriangle(SurfaceId surface, const std::array<Vector, 3>& points,
+                        const std::array<Vector, 3>& normals);
+  void SetTriangleUv(SurfaceId surface, const std::array<Vector, 3>& points,
+                     const std::array<Vector, 3>& normals, const std::array<double, 6>& uv);
   void AddPoint(const Vector& point) { points_.push_back(point); }
   void SetPolygon(SurfaceId surface);  // of the points added
   void AddBall(double strength, double radius, const Vector& center) {

@@ -1,5 +1,5 @@
-// Reading the command line; see options.h and [rayshade4/1 s.6]. Only the letter after a dash counts, options
-// act from left to right, and their arguments are words of their own.
+// Reading the command line; see options.h and [rayshade4/1 s.6]. Only the letter after a dash
+// counts, options act from left to right, and their arguments are words of their own.
 #include "rayshade/scene/options.h"
 
 #include <algorithm>
@@ -85,19 +85,35 @@ void Reader::ReadShort(const std::string& option) {
 bool Reader::ReadPicture(char letter, const std::string& option) {
   Options& o = options_;
   switch (letter) {
-    case 'A': o.first_frame = Int(option); return true;
-    case 'C': o.cutoff = ThreeNumbers(option); return true;
-    case 'D': o.max_depth = std::max(Int(option), 0); return true;
-    case 'E': o.eye_separation = Number(option); return true;
-    case 'G': o.gamma = Number(option); return true;
-    case 'N': o.frames = Int(option); return true;
+    case 'A':
+      o.first_frame = Int(option);
+      return true;
+    case 'C':
+      o.cutoff = ThreeNumbers(option);
+      return true;
+    case 'D':
+      o.max_depth = std::max(Int(option), 0);
+      return true;
+    case 'E':
+      o.eye_separation = Number(option);
+      return true;
+    case 'G':
+      o.gamma = Number(option);
+      return true;
+    case 'N':
+      o.frames = Int(option);
+      return true;
     case 'R': {
       const int width = Int(option);
       o.resolution = {width, Int(option)};
       return true;
     }
-    case 'S': o.samples = std::max(Int(option), 1); return true;
-    case 'T': o.contrast = ThreeNumbers(option); return true;
+    case 'S':
+      o.samples = std::max(Int(option), 1);
+      return true;
+    case 'T':
+      o.contrast = ThreeNumbers(option);
+      return true;
     case 'W': {
       Window w;
       for (int* side : {&w.xmin, &w.xmax, &w.ymin, &w.ymax}) *side = Int(option);
@@ -110,20 +126,35 @@ bool Reader::ReadPicture(char letter, const std::string& option) {
       o.crop = c;
       return true;
     }
-    case 'f': o.flip_normals = !o.flip_normals; return true;
-    case 'g': o.toggle_gauss = !o.toggle_gauss; return true;
-    case 'j': o.jitter = !o.jitter.value_or(true); return true;
-    case 'l': o.stereo = StereoEye::kLeft; return true;
-    case 'n': o.no_shadows = !o.no_shadows; return true;
-    case 'o': o.toggle_shadow_transparency = !o.toggle_shadow_transparency; return true;
+    case 'f':
+      o.flip_normals = !o.flip_normals;
+      return true;
+    case 'g':
+      o.toggle_gauss = !o.toggle_gauss;
+      return true;
+    case 'j':
+      o.jitter = !o.jitter.value_or(true);
+      return true;
+    case 'l':
+      o.stereo = StereoEye::kLeft;
+      return true;
+    case 'n':
+      o.no_shadows = !o.no_shadows;
+      return true;
+    case 'o':
+      o.toggle_shadow_transparency = !o.toggle_shadow_transparency;
+      return true;
     case 'p':
       o.no_shadows = true;
       o.max_depth = 0;
       o.jitter = true;
       o.samples = 1;
       return true;
-    case 'r': o.stereo = StereoEye::kRight; return true;
-    default: return false;
+    case 'r':
+      o.stereo = StereoEye::kRight;
+      return true;
+    default:
+      return false;
   }
 }
 
@@ -131,19 +162,42 @@ bool Reader::ReadPicture(char letter, const std::string& option) {
 bool Reader::ReadRun(char letter, const std::string& option) {
   Options& o = options_;
   switch (letter) {
-    case 'F': o.report_frequency = std::max(Int(option), 1); return true;
-    case 'O': o.output = Word(option); return true;
-    case 'P': o.preprocessor_arguments = {Word(option)}; return true;
-    case 'V': ReadReportFile(option); return true;
-    case 'a': o.alpha = !o.alpha; return true;
-    case 'c': o.continue_picture = true; return true;
-    case 'e': return true;  // exponent-coded files are not written
-    case 'm': o.sample_map = !o.sample_map; return true;
-    case 'q': o.quiet = true; return true;
-    case 's': return true;  // there is no shadow cache
-    case 'u': o.raw_input = !o.raw_input; return true;
-    case 'v': o.verbose = true; return true;
-    default: return false;
+    case 'F':
+      o.report_frequency = std::max(Int(option), 1);
+      return true;
+    case 'O':
+      o.output = Word(option);
+      return true;
+    case 'P':
+      o.preprocessor_arguments = {Word(option)};
+      return true;
+    case 'V':
+      ReadReportFile(option);
+      return true;
+    case 'a':
+      o.alpha = !o.alpha;
+      return true;
+    case 'c':
+      o.continue_picture = true;
+      return true;
+    case 'e':
+      return true;  // exponent-coded files are not written
+    case 'm':
+      o.sample_map = !o.sample_map;
+      return true;
+    case 'q':
+      o.quiet = true;
+      return true;
+    case 's':
+      return true;  // there is no shadow cache
+    case 'u':
+      o.raw_input = !o.raw_input;
+      return true;
+    case 'v':
+      o.verbose = true;
+      return true;
+    default:
+      return false;
   }
 }
 

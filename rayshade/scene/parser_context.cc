@@ -1,4 +1,5 @@
-// The parser's run, and the actions that are too small for a class of their own; see parser_context.h.
+// The parser's run, and the actions that are too small for a class of their own; see
+// parser_context.h.
 #include "rayshade/scene/parser_context.h"
 
 #include <algorithm>
@@ -48,7 +49,7 @@ bool ParserContext::Complete() {
 
 int ParserContext::Recover(int token, bool in_body) {
   objects.Abandon();
-  symbols.EndItem();
+  EndItem();
   if (reporter.errors() < kMostErrors) return lexer.SkipToItem(token, in_body);
   reporter.Error("Too many errors; the rest is not read.");
   return 0;
@@ -104,8 +105,8 @@ void ParserContext::SetComponent(ImageComponent component) {
                      component == ImageComponent::kDiffuse || component == ImageComponent::kBody ||
                      component == ImageComponent::kSpecular;
   if (image.image && image.image->channels != 1 && !color) {
-    reporter.Fatal("Image component needs an image of one channel, " + image.image->file +
-                   " has " + std::to_string(image.image->channels) + ".");
+    reporter.Fatal("Image component needs an image of one channel, " + image.image->file + " has " +
+                   std::to_string(image.image->channels) + ".");
   }
 }
 

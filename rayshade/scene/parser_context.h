@@ -21,7 +21,14 @@ class ParserContext {
   // For the grammar.
   void SyntaxError(const char* text) { reporter.Syntax(text); }
   int Recover(int token, bool in_body);
-  void EndItem() { symbols.EndItem(); }
+  TripleRef Keep(const Triple& triple) { return {triples_.Keep(triple)}; }
+  NumberRef Keep(const NumberValue& value) { return {numbers_.Keep(value)}; }
+  NumberRef KeepNumber(double number) { return Keep(NumberValue{number, nullptr}); }
+  void EndItem() {
+    triples_.Clear();
+    numbers_.Clear();
+    symbols.EndItem();
+  }
   void NameOutput(NameId file);
   void NameReport(NameId file);
   void SetReportFrequency(int lines);
@@ -45,6 +52,8 @@ class ParserContext {
   ImageSpec image;      // in the making
 
  private:
+  ItemValues<Triple> triples_;
+  ItemValues<NumberValue> numbers_;
   const Options& options_;
   bool output_named_ = false;
 };

@@ -38,7 +38,8 @@ bool PreprocessorMatters(std::string_view piece) {
   for (const char c : {'#', '\r', '\f', '\\'}) {
     if (std::memchr(piece.data(), c, piece.size())) return true;
   }
-  // "//" is a comment, "__" and "_P" may begin a name that cpp knows, "%:" is another way to write #.
+  // "//" is a comment, "__" and "_P" may begin a name that cpp knows, "%:" is another way to write
+  // #.
   return HasPair(piece, '/', "/") || HasPair(piece, '_', "_P") || HasPair(piece, '%', ":") ||
          HasPredefined(piece);
 }

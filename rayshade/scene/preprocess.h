@@ -1,5 +1,5 @@
-// The C preprocessor in front of the parser [rayshade4/1 s.2.2]. It is started without a shell, and not at
-// all where it could change nothing.
+// The C preprocessor in front of the parser [rayshade4/1 s.2.2]. It is started without a shell, and
+// not at all where it could change nothing.
 #pragma once
 
 #include <sys/types.h>
@@ -10,8 +10,8 @@
 
 namespace rayshade {
 
-// Could a GNU preprocessor turn this text into another? May say yes where the answer is no. Texts are
-// looked at in pieces that overlap by kPieceOverlap bytes.
+// Could a GNU preprocessor turn this text into another? May say yes where the answer is no. Texts
+// are looked at in pieces that overlap by kPieceOverlap bytes.
 bool PreprocessorMatters(std::string_view piece);
 inline constexpr size_t kPieceOverlap = 8;
 

@@ -22,9 +22,9 @@ Symbols::Symbols(Lexer* lexer, Reporter* reporter) : lexer_(lexer), reporter_(re
   NameTable* names = lexer->names();
   using Op = ExpressionOp;
   constexpr std::pair<const char*, Op> kFunctions[] = {
-      {"cos", Op::kCos},   {"sin", Op::kSin},   {"tan", Op::kTan},     {"acos", Op::kAcos},
-      {"asin", Op::kAsin}, {"atan", Op::kAtan}, {"hypot", Op::kHypot}, {"linear", Op::kLinear},
-      {"sqrt", Op::kSqrt}};
+      {"cos", Op::kCos},     {"sin", Op::kSin},       {"tan", Op::kTan},
+      {"acos", Op::kAcos},   {"asin", Op::kAsin},     {"atan", Op::kAtan},
+      {"hypot", Op::kHypot}, {"linear", Op::kLinear}, {"sqrt", Op::kSqrt}};
   for (const auto& [name, op] : kFunctions) {
     Symbol& symbol = symbols_[names->Intern(name)];
     symbol.kind = Kind::kFunction;

@@ -22,7 +22,9 @@ class Symbols {
   double Constant(const NumberValue& value);
   void Define(NameId name, const NumberValue& value);
   // Values that vary are valid until here.
-  void EndItem() { made_.clear(); }
+  void EndItem() {
+    if (!made_.empty()) made_.clear();
+  }
 
  private:
   enum class Kind { kUnknown, kValue, kFunction };

@@ -54,7 +54,8 @@ void PrintExamples(std::FILE* stream, const char* program) {
   std::fprintf(stream, "\nExamples:\n");
   std::fprintf(stream, "\t%s -O room.png room.ray\n", program);
   std::fprintf(stream, "\t%s -p -R 160 120 -O quick.png room.ray\n", program);
-  std::fprintf(stream, "\techo 'light 1 point 3 -4 5 sphere diffuse .9 .3 .2 2 0 0 0' | %s -O ball.png\n",
+  std::fprintf(stream,
+               "\techo 'light 1 point 3 -4 5 sphere diffuse .9 .3 .2 2 0 0 0' | %s -O ball.png\n",
                program);
 }
 
@@ -89,10 +90,11 @@ void PrintUsage(std::FILE* stream, const std::string& program, const std::vector
     if (!argument.empty()) text += optional ? "[=" + argument + "]" : " " + argument;
     PrintLine(stream, text, option.help);
   }
-  std::fprintf(stream,
-               "\nIn [ ]: the word of the scene file that says the same, and the default. Without a "
-               "file name the scene is\nread from standard input. Options may stand in any order, "
-               "each as a word of its own.\n");
+  std::fprintf(
+      stream,
+      "\nIn [ ]: the word of the scene file that says the same, and the default. Without a "
+      "file name the scene is\nread from standard input. Options may stand in any order, "
+      "each as a word of its own.\n");
   PrintExamples(stream, program.c_str());
 }
 
