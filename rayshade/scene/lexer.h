@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -47,11 +48,13 @@ class Lexer {
   const std::string& text(NameId name) const { return state_.names.text(name); }
   NameTable* names() { return &state_.names; }
   Place place() const { return state_.place(); }
+  uint64_t tokens() const { return tokens_; }  // read so far
 
  private:
   ScanState state_;
   std::vector<WordRole> roles_;  // by token
-  void* scanner_;                // flex's own
+  uint64_t tokens_ = 0;
+  void* scanner_;  // flex's own
 };
 
 // A line that begins with #: where the text comes from. text: without the #. Anything else is a

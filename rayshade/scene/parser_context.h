@@ -28,6 +28,7 @@ class ParserContext {
     triples_.Clear();
     numbers_.Clear();
     symbols.EndItem();
+    reporter.EndItem();
   }
   void NameOutput(NameId file);
   void NameReport(NameId file);

@@ -1,6 +1,7 @@
 // Reports on the place where the parser stands, and whether the scene can still become a picture.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "rayshade/common/diagnostics.h"
@@ -14,16 +15,22 @@ class Reporter {
       : lexer_(lexer), diagnostics_(diagnostics), errors_before_(diagnostics->errors()) {}
 
   void Report(Severity severity, const std::string& text) {
-    last_ = lexer_->place();
-    diagnostics_->Report(severity, last_, text);
+    if (severity >= Severity::kError) in_doubt_ = true;
+    diagnostics_->Report(severity, lexer_->place(), text);
   }
   void Warn(const std::string& text) { Report(Severity::kWarn, text); }
   void Error(const std::string& text) { Report(Severity::kError, text); }
   void Fatal(const std::string& text) { Report(Severity::kFatal, text); }
-  // Not where something was said about this line already: it would be about the same mistake.
+  // Not where something was said about this item already, and not about what follows such an item
+  // directly: it would be about the same mistake.
   void Syntax(const std::string& text) {
-    const Place here = lexer_->place();
-    if (here.line != last_.line || here.file != last_.file) diagnostics_->ReportSyntax(here, text);
+    const bool follows = lexer_->tokens() == tokens_of_doubt_;
+    if (!in_doubt_ && !follows) diagnostics_->ReportSyntax(lexer_->place(), text);
+  }
+  // REQUIRES: the token after the item has been read.
+  void EndItem() {
+    if (in_doubt_) tokens_of_doubt_ = lexer_->tokens();
+    in_doubt_ = false;
   }
 
   bool failed() const { return errors() > 0; }
@@ -34,7 +41,8 @@ class Reporter {
   const Lexer* lexer_;
   Diagnostics* diagnostics_;
   int errors_before_;
-  Place last_;  // of the last report that was no syntax error
+  bool in_doubt_ = false;         // there was an error in this item
+  uint64_t tokens_of_doubt_ = 0;  // read when such an item ended
 };
 
 }  // namespace rayshade
