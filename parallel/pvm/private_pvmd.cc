@@ -68,9 +68,8 @@ bool Answers(const std::string& address) {
 
 std::string FindPvmd() {
   const std::string root = Environment("PVM_ROOT", "/usr/lib/pvm3");
-  std::vector<std::string> places = {
-      root + "/lib/" + Environment("PVM_ARCH", "LINUX64") + "/pvmd3", root + "/lib/pvmd3",
-      root + "/lib/pvmd"};
+  std::vector<std::string> places = {root + "/lib/" + Environment("PVM_ARCH", "LINUX64") + "/pvmd3",
+                                     root + "/lib/pvmd3", root + "/lib/pvmd"};
   std::istringstream path(Environment("PATH", "/usr/bin:/bin"));
   for (std::string folder; std::getline(path, folder, ':');) {
     places.push_back(folder + "/pvmd3");

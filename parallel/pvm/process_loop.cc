@@ -23,7 +23,8 @@ double Seconds(std::chrono::steady_clock::duration d) {
 
 }  // namespace
 
-ProcessLoop::ProcessLoop(PvmTransport* transport) : transport_(transport) {
+ProcessLoop::ProcessLoop(PvmTransport* transport, Outbox* outbox)
+    : transport_(transport), outbox_(outbox ? outbox : transport) {
   char name[256] = "";
   gethostname(name, sizeof name - 1);
   machine_ = name;
@@ -32,6 +33,7 @@ ProcessLoop::ProcessLoop(PvmTransport* transport) : transport_(transport) {
 uint64_t ProcessLoop::peak_bytes() const { return PeakBytes(); }
 
 bool ProcessLoop::Run(Process* process, LoopListener* listener) {
+  busy_seconds_ = 0;
   bool more = true;
   while (!process->finished()) {
     if (!listener->Tick()) return false;
@@ -40,7 +42,7 @@ bool ProcessLoop::Run(Process* process, LoopListener* listener) {
     const Clock::time_point begin = Clock::now();
     double spent = 0;
     do {
-      more = !process->finished() && process->Work(transport_);
+      more = !process->finished() && process->Work(outbox_);
       spent = Seconds(Clock::now() - begin);
     } while (more && spent < kWorkSeconds);
     busy_seconds_ += spent;
@@ -67,7 +69,7 @@ void ProcessLoop::TakeIn(double seconds, Process* process, LoopListener* listene
 
 void ProcessLoop::Deliver(Process* process) {
   try {
-    process->Receive(arrival_.from, arrival_.bytes, transport_);
+    process->Receive(arrival_.from, arrival_.bytes, outbox_);
   } catch (const WireError& e) {
     throw WireError("a malformed message from process " + std::to_string(arrival_.from) + ": " +
                     e.what());

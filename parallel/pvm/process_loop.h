@@ -24,7 +24,8 @@ class LoopListener {
 
 class ProcessLoop : public Meter {
  public:
-  explicit ProcessLoop(PvmTransport* transport);
+  // outbox: where the process sends, by default the transport.
+  explicit ProcessLoop(PvmTransport* transport, Outbox* outbox = nullptr);
 
   // Until the process has finished (true) or the listener ends it (false). Lets through what the
   // process throws.
@@ -33,6 +34,7 @@ class ProcessLoop : public Meter {
   // messages are dropped. False: none came in that time.
   bool Await(double seconds, LoopListener* listener);
 
+  // Since Run began.
   double busy_seconds() const override { return busy_seconds_; }
   uint64_t peak_bytes() const override;
   const char* machine() const override { return machine_.c_str(); }
@@ -46,6 +48,7 @@ class ProcessLoop : public Meter {
   void Deliver(Process* process);
 
   PvmTransport* transport_;
+  Outbox* outbox_;
   Arrival arrival_;
   double busy_seconds_ = 0;
   std::string machine_;

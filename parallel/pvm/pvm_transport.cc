@@ -61,8 +61,12 @@ PvmTransport::PvmTransport(int host_tid) : tids_{host_tid}, ids_{{host_tid, kHos
 void PvmTransport::Enter() {
   PvmCheck(pvm_setopt(PvmRoute, PvmRouteDirect), "pvm_setopt(PvmRoute)");
   PvmCheck(pvm_setopt(PvmFragSize, kFragmentBytes), "pvm_setopt(PvmFragSize)");
+  ForgetSent();
+}
+
+void PvmTransport::ForgetSent() {
   ForEachMessage([this]<class Message>() {
-    sent_[static_cast<size_t>(Message::kTag)].name = Message::kName;
+    sent_[static_cast<size_t>(Message::kTag)] = {Message::kName, 0, 0};
   });
 }
 
@@ -74,6 +78,7 @@ void PvmTransport::AskToBeToldOf(const std::vector<int>& tids) {
 
 void PvmTransport::StartFrame() {
   ++frame_;
+  ForgetSent();
   for (size_t i = 1; i < tids_.size(); ++i) {
     PvmCheck(pvm_initsend(PvmDataDefault), "pvm_initsend");
     PackInts({CatalogueHash(), frame_, raw_, static_cast<int>(i), static_cast<int>(tids_.size())});
@@ -86,6 +91,7 @@ void PvmTransport::ReadStart() {
   if (UnpackInt() != CatalogueHash())
     throw WireError("prayshade and prayshade-trace are of different versions");
   frame_ = UnpackInt();
+  ForgetSent();
   raw_ = UnpackInt() != 0;
   const int self = UnpackInt(), count = UnpackInt();
   if (self < 1 || self >= count || count > 65535) throw WireError("a Start that makes no sense");

@@ -3,7 +3,8 @@
 //   1. One message of the catalogue is one PVM message of one byte array, sent by the direct route
 //      in fragments of 64 kB. PVM keeps the order of one sender to one receiver.
 //   2. Beneath the catalogue lie the transport's own messages: Start (who is who, and which frame),
-//      Pulse (a trace process lives), Leave (the run is over), and PVM's notice that a task is gone.
+//      Pulse (a trace process lives), Leave (the run is over), and PVM's notice that a task is
+//      gone.
 //   3. A run has a context of its own, and a frame its own tags: what comes from anyone else, or
 //      from an earlier frame, is dropped.
 #pragma once
@@ -56,11 +57,12 @@ class PvmTransport : public Outbox {
   void Receive(double seconds, Arrival* arrival);
 
   ProcessId self() const { return self_; }
-  // Messages of the catalogue that were sent, by tag.
+  // Messages of the catalogue that were sent in this frame, by tag.
   const std::array<KindCount, kTags>& sent() const { return sent_; }
 
  private:
   void Enter();
+  void ForgetSent();
   // False: dropped.
   bool Open(int buffer, Arrival* arrival);
   void ReadStart();

@@ -22,8 +22,8 @@ int TraceMain() {
   }
   int status = 1;
   try {
-    TraceSession session(
-        host, [](const Meter* meter) { return std::make_unique<TraceProcess>(meter); });
+    TraceSession session(host,
+                         [](const Meter* meter) { return std::make_unique<TraceProcess>(meter); });
     status = session.Run();
   } catch (const std::exception& e) {
     std::fprintf(stderr, "prayshade-trace: %s\n", e.what());

@@ -14,8 +14,21 @@ constexpr auto kPulse = std::chrono::seconds(1);
 
 }  // namespace
 
+void CountingOutbox::Send(ProcessId to, std::vector<uint8_t> bytes) {
+  if (TagOf(bytes) == Tag::kStatistics) {
+    Statistics statistics = Decode<Statistics>(bytes);
+    for (const KindCount& count : transport_->sent())
+      if (count.messages > 0) statistics.sent.push_back(count);
+    bytes = Encode(statistics);
+  }
+  transport_->Send(to, std::move(bytes));
+}
+
 TraceSession::TraceSession(int host_tid, Factory factory)
-    : transport_(host_tid), loop_(&transport_), factory_(std::move(factory)) {}
+    : transport_(host_tid),
+      outbox_(&transport_),
+      loop_(&transport_, &outbox_),
+      factory_(std::move(factory)) {}
 
 int TraceSession::Run() {
   std::string failure;
@@ -28,8 +41,7 @@ int TraceSession::Run() {
     failure = e.what();
   }
   try {
-    transport_.Send(kHost, Encode(Failure{"process " + std::to_string(transport_.self()) + " on " +
-                                          loop_.machine() + ": " + failure}));
+    transport_.Send(kHost, Encode(Failure{failure + " (on " + loop_.machine() + ")"}));
   } catch (const std::exception&) {
     // The host is out of reach: it will hear of our end from PVM.
     std::fprintf(stderr, "prayshade-trace: %s\n", failure.c_str());
@@ -58,6 +70,7 @@ void TraceSession::OnArrival(const Arrival& arrival) {
 
 bool TraceSession::Tick() {
   const auto now = std::chrono::steady_clock::now();
+  if (Interrupts::Came() != 0) over_ = true;
   if (now - last_pulse_ >= kPulse && !over_) {
     last_pulse_ = now;
     transport_.SendPulse();

@@ -5,11 +5,23 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <vector>
 
+#include "parallel/pvm/interrupts.h"
 #include "parallel/pvm/process_loop.h"
 #include "parallel/pvm/pvm_transport.h"
 
 namespace rayshade::parallel {
+
+// The way out of a trace process: adds to its Statistics what only the transport has counted.
+class CountingOutbox : public Outbox {
+ public:
+  explicit CountingOutbox(PvmTransport* transport) : transport_(transport) {}
+  void Send(ProcessId to, std::vector<uint8_t> bytes) override;
+
+ private:
+  PvmTransport* transport_;
+};
 
 class TraceSession : public LoopListener {
  public:
@@ -28,9 +40,11 @@ class TraceSession : public LoopListener {
   void RunFrames();
 
   PvmTransport transport_;
+  CountingOutbox outbox_;
   ProcessLoop loop_;
   Factory factory_;
-  bool started_ = false;  // a frame, that is not being run yet
+  Interrupts interrupts_;  // PVM ends a task by SIGTERM
+  bool started_ = false;   // a frame, that is not being run yet
   bool over_ = false;
   std::chrono::steady_clock::time_point last_pulse_;
 };

@@ -1,11 +1,13 @@
 // Joining, starting and leaving a virtual machine; see virtual_machine.h.
 #include "parallel/pvm/virtual_machine.h"
 
-#include <pvm3.h>
+#include <pvm3.h>  // after cstdio, or it hides pvm_catchout
+#include <signal.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <filesystem>
 #include <stdexcept>
 #include <thread>
@@ -54,6 +56,10 @@ void VirtualMachine::Join() {
   // A context of this run's own; what it spawns inherits it.
   PvmCheck(pvm_setcontext(PvmCheck(pvm_newcontext(), "pvm_newcontext")), "pvm_setcontext");
 
+  // What a trace process writes itself, such as a failed CHECK, reaches the user.
+  PvmCheck(pvm_catchout(stderr), "pvm_catchout");
+  PvmCheck(pvm_setopt(PvmShowTids, 0), "pvm_setopt(PvmShowTids)");
+
   int count = 0, formats = 0;
   pvmhostinfo* infos = nullptr;
   PvmCheck(pvm_config(&count, &formats, &infos), "pvm_config");
@@ -82,8 +88,9 @@ std::vector<Spawned> VirtualMachine::SpawnTraceProcesses(int processes) {
                        std::to_string(processes) + ", got " + std::to_string(got) + ": " +
                        PvmErrorText(error);
     if (error == PvmNoFile)
-      text += " (neither beside prayshade nor where PVM looks: $PVM_ROOT/bin/$PVM_ARCH, "
-              "$HOME/pvm3/bin/$PVM_ARCH, ep= of the hostfile)";
+      text +=
+          " (neither beside prayshade nor where PVM looks: $PVM_ROOT/bin/$PVM_ARCH, "
+          "$HOME/pvm3/bin/$PVM_ARCH, ep= of the hostfile)";
     throw std::runtime_error(text);
   }
   return spawned_;
@@ -114,9 +121,14 @@ void VirtualMachine::KillSpawned() {
   for (const Spawned& s : spawned_) pvm_kill(s.tid);
   // Those on lost hosts are not waited for: the question would hang.
   const auto limit = std::chrono::steady_clock::now() + kEndLimit;
-  for (const Spawned& s : spawned_)
-    while (s.local && pvm_pstat(s.tid) == PvmOk && std::chrono::steady_clock::now() < limit)
+  for (const Spawned& s : spawned_) {
+    while (s.local && pvm_pstat(s.tid) == PvmOk) {
+      const auto now = std::chrono::steady_clock::now();
+      if (now > limit) pvm_sendsig(s.tid, SIGKILL);
+      if (now > limit + kEndLimit) break;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
   spawned_.clear();
 }
 

@@ -1,4 +1,5 @@
-// The long options of the parallel programs: sizes, names, defaults, and what is said about mistakes.
+// The long options of the parallel programs: sizes, names, defaults, and what is said about
+// mistakes.
 #include "parallel/parallel_options.h"
 
 #include <gtest/gtest.h>
@@ -33,16 +34,18 @@ TEST(ParallelOptions, SizesAreBytesOrHaveALetterForPowersOf1024) {
 }
 
 TEST(ParallelOptions, WhatIsNoSizeIsRefused) {
-  for (const char* text : {"", "K", "-1", "1.5M", "12MB", " 1", "1 ", "0x10", "17179869184G",
-                           "99999999999999999999"})
+  for (const char* text :
+       {"", "K", "-1", "1.5M", "12MB", " 1", "1 ", "0x10", "17179869184G", "99999999999999999999"})
     EXPECT_FALSE(ParseSize(text)) << text;
 }
 
 TEST(ParallelOptions, EveryOptionIsRead) {
   Options options;
-  options.extra = {{"processes", "7"}, {"schedule", "demand-driven"}, {"distribution", "grid"},
-                   {"memory", "2M"},   {"resident", "0"},             {"cache", "64K"},
-                   {"pyramid", "64"},  {"compare", "other"},          {"machine", "cluster"}};
+  options.extra = {{"processes", "7"},       {"schedule", "demand-driven"},
+                   {"distribution", "grid"}, {"memory", "2M"},
+                   {"resident", "0"},        {"cache", "64K"},
+                   {"pyramid", "64"},        {"compare", "other"},
+                   {"machine", "cluster"}};
   const ParallelOptions parsed = ParseParallelOptions(options);
   EXPECT_EQ(parsed.processes, 7);
   EXPECT_EQ(parsed.schedule, Schedule::kDemandDriven);
@@ -56,11 +59,18 @@ TEST(ParallelOptions, EveryOptionIsRead) {
 }
 
 TEST(ParallelOptions, AMistakeNamesOptionAndValue) {
-  for (const auto& [name, value] : std::vector<std::pair<std::string, std::string>>{
-           {"schedule", "bogus"}, {"distribution", "bogus"}, {"processes", "0"},
-           {"processes", "4097"}, {"processes", "two"},      {"processes", "-1"},
-           {"memory", "much"},    {"resident", "1T"},        {"cache", ""},
-           {"pyramid", "0"},      {"pyramid", "1025"}}) {
+  for (const auto& [name, value] :
+       std::vector<std::pair<std::string, std::string>>{{"schedule", "bogus"},
+                                                        {"distribution", "bogus"},
+                                                        {"processes", "0"},
+                                                        {"processes", "4097"},
+                                                        {"processes", "two"},
+                                                        {"processes", "-1"},
+                                                        {"memory", "much"},
+                                                        {"resident", "1T"},
+                                                        {"cache", ""},
+                                                        {"pyramid", "0"},
+                                                        {"pyramid", "1025"}}) {
     const std::string complaint = ComplaintAbout(name, value);
     EXPECT_NE(complaint.find("--" + name), std::string::npos) << name << " " << value;
     EXPECT_NE(complaint.find(value), std::string::npos) << complaint;
