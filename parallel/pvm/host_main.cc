@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
     HostRun run(options, parallel, &spool, &diagnostics, stopwatch);
     const int status = run.Run();
     if (status != 0 || !parallel.compare) return status;
-    return Compare({argv, argv + argc}, parallel, spool.settings(), run.stats());
+    return Compare({argv, argv + argc}, parallel, spool.settings(), run.statistics());
   } catch (const std::bad_alloc&) {
     diagnostics.Report(Severity::kError, {}, "Out of memory.");
   } catch (const std::exception& e) {

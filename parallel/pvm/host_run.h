@@ -37,7 +37,7 @@ class HostRun : public LoopListener {
   int Run();
 
   // Filled when Run has returned 0.
-  const RunStats& stats() const { return report_data_.stats; }
+  const RunStats& statistics() const { return report_data_.stats; }
 
   void OnArrival(const Arrival& arrival) override;
   void OnHeard(ProcessId from) override;

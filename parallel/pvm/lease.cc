@@ -13,7 +13,7 @@ void Lease::Heard(ProcessId from, double now_seconds) {
 }
 
 ProcessId Lease::Silent(double now_seconds) const {
-  for (size_t i = 0; i < watched_.size(); ++i)
+  for (std::size_t i = 0; i < watched_.size(); ++i)
     if (watched_[i] && now_seconds - heard_seconds_[i] > kSeconds)
       return static_cast<ProcessId>(i + 1);
   return kHost;

@@ -3,6 +3,7 @@
 // two steps of work.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "parallel/process_id.h"

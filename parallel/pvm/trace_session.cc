@@ -19,6 +19,9 @@ void CountingOutbox::Send(ProcessId to, std::vector<uint8_t> bytes) {
     Statistics statistics = Decode<Statistics>(bytes);
     for (const KindCount& count : transport_->sent())
       if (count.messages > 0) statistics.sent.push_back(count);
+    // This message is one of them.
+    statistics.sent.push_back({Statistics::kName, 1, 0});
+    statistics.sent.back().bytes = Encode(statistics).size();
     bytes = Encode(statistics);
   }
   transport_->Send(to, std::move(bytes));
