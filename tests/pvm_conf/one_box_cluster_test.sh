@@ -1,6 +1,6 @@
 #!/bin/bash
 # one-box-cluster: real pvmds in network namespaces, and nothing left of them.
-. "$(dirname "$0")/../support/shell_test.sh"
+. "$(dirname "$0")/../support/shell_checks.sh"
 cluster=pvm_conf/one-box-cluster
 export ONE_BOX_NAME=test$$ ONE_BOX_FOLDER=$work/cluster
 stands="three pvmds in three network namespaces make one virtual machine"

@@ -1,6 +1,6 @@
 #!/bin/bash
 # private-vm: a virtual machine for one command, and nothing left of it.
-. "$(dirname "$0")/../support/shell_test.sh"
+. "$(dirname "$0")/../support/shell_checks.sh"
 command -v pvmd >/dev/null 2>&1 || { skip "a private virtual machine" "PVM is not installed"; exit 0; }
 export TMPDIR=$work
 

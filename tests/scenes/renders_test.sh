@@ -1,6 +1,6 @@
 #!/bin/bash
 # Every scene of the project renders, without a word on standard error; so does the one that README.md shows.
-. "$(dirname "$0")/../support/shell_test.sh"
+. "$(dirname "$0")/../support/shell_checks.sh"
 renders() {
   "$BUILD/rayshade" -q -R 48 48 -S 1 -O "$work/a.png" "$1" 2>"$work/said" && [ ! -s "$work/said" ] && [ -s "$work/a.png" ] && return
   cat "$work/said"

@@ -1,6 +1,6 @@
 #!/bin/bash
 # The conference room: what the issue of it promises, counted in the files.
-. "$(dirname "$0")/../support/shell_test.sh"
+. "$(dirname "$0")/../support/shell_checks.sh"
 "$BUILD/room" >"$work/room.inc"
 
 polygons() { grep -c '^poly ' scenes/room.inc; }

@@ -1,6 +1,6 @@
 #!/bin/bash
 # The sphereflake generator: counts, bounds and, where it is there, a listing by the original generator.
-. "$(dirname "$0")/../support/shell_test.sh"
+. "$(dirname "$0")/../support/shell_checks.sh"
 flake=$BUILD/sphereflake
 
 # Radius and centre of each sphere, surface name or not.
