@@ -21,6 +21,7 @@ AdaptiveSampling::AdaptiveSampling(const Settings& settings, const Camera& camer
       weights_(FilterWeights(settings)),
       extra_row_(width_),
       flags_(size_t(width_) * (height_ + 1)),
+      slots_(flags_.size()),
       singles_missing_(height_ + 1, width_),
       walk_(width_, 1, height_ + 1),
       open_(height_ + 1) {
@@ -57,7 +58,8 @@ void AdaptiveSampling::Put(const Sample& sample, const RayResult& result) {
     news = --singles_missing_[sample.y] == 0;
     if (ahead_) Unsettle(sample.x, sample.y);
   } else {
-    FullSet& set = sets_.at(index(sample.x, sample.y));
+    CHECK(is(sample.x, sample.y, kAsked) && !is(sample.x, sample.y, kFull));
+    FullSet& set = set_of(sample.x, sample.y);
     set.results[sample.sub_cell] = put;
     news = --set.missing == 0;
     if (ahead_ && news) Unsettle(sample.x, sample.y);
@@ -73,7 +75,14 @@ void AdaptiveSampling::Put(const Sample& sample, const RayResult& result) {
 void AdaptiveSampling::AskFull(int x, int y) {
   if (is(x, y, kAsked) || is(x, y, kFull)) return;
   flags_[index(x, y)] |= kAsked;
-  FullSet& set = sets_[index(x, y)];
+  if (free_sets_.empty()) {
+    free_sets_.push_back(static_cast<uint32_t>(sets_.size()));
+    sets_.emplace_back();
+  }
+  slots_[index(x, y)] = free_sets_.back();
+  free_sets_.pop_back();
+  FullSet& set = set_of(x, y);
+  set.valued = false;
   set.missing = y == 0 ? cells_ : cells_ - 1;
   set.results.resize(cells_);
   asked_samples_ += set.missing;
@@ -121,9 +130,8 @@ void AdaptiveSampling::HandOutSingles(size_t most, std::vector<Sample>* samples)
 
 // The value of a full set, or null while results are missing.
 const PixelValue* AdaptiveSampling::FullValue(int x, int y) {
-  const auto found = sets_.find(index(x, y));
-  if (found == sets_.end()) return nullptr;
-  FullSet& set = found->second;
+  if (!is(x, y, kAsked) || is(x, y, kFull)) return nullptr;
+  FullSet& set = set_of(x, y);
   if (set.valued) return &set.value;
   if (set.missing > 0 || (y > 0 && !is(x, y, kSingle))) return nullptr;
 
@@ -144,7 +152,6 @@ const PixelValue* AdaptiveSampling::FullValue(int x, int y) {
   sum.full = true;
   set.value = sum;
   set.valued = true;
-  std::vector<PixelValue>().swap(set.results);
   return &set.value;
 }
 
@@ -155,7 +162,7 @@ void AdaptiveSampling::ApplyFull(int x, int y) {
   CHECK(full != nullptr);
   value(x, y) = *full;
   flags_[index(x, y)] |= kFull;
-  sets_.erase(index(x, y));
+  free_sets_.push_back(slots_[index(x, y)]);
   ++supersampled_;
   const int samples = y == 0 ? cells_ : cells_ - 1;
   applied_samples_ += samples;
@@ -270,6 +277,7 @@ bool AdaptiveSampling::Restore(const std::string& bytes) {
   supersampled_ = supersampled;
   asks_.clear();
   sets_.clear();
+  free_sets_.clear();
   asked_samples_ = 0;
   std::fill(open_.begin(), open_.end(), 0);
   for (uint8_t& flags : flags_) flags = in.Get<uint8_t>() & (kSingle | kFull);

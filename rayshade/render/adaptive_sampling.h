@@ -18,7 +18,6 @@
 #include <cstdint>
 #include <deque>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "rayshade/image/picture.h"
@@ -46,7 +45,7 @@ class AdaptiveSampling {
 
  private:
   struct FullSet {
-    std::vector<PixelValue> results;  // by sub-cell; empty once the value is made
+    std::vector<PixelValue> results;  // by sub-cell
     int missing = 0;
     bool valued = false;
     PixelValue value;
@@ -68,6 +67,7 @@ class AdaptiveSampling {
     return y < height_ ? picture_->at(x, y) : extra_row_[x];
   }
   PixelValue& value(int x, int y) { return y < height_ ? picture_->at(x, y) : extra_row_[x]; }
+  FullSet& set_of(int x, int y) { return sets_[slots_[index(x, y)]]; }
   bool is(int x, int y, Flag flag) const { return flags_[index(x, y)] & flag; }
   static Cross CrossAt(int x, int y) { return {{x - 1, x, x + 1, x, x}, {y, y - 1, y, y + 1, y}}; }
 
@@ -99,7 +99,9 @@ class AdaptiveSampling {
   std::vector<PixelValue> extra_row_;  // row height_, sampled but never written
   std::vector<uint8_t> flags_;         // of every pixel, the extra row included
   std::vector<int> singles_missing_;   // by row
-  std::unordered_map<size_t, FullSet> sets_;
+  std::vector<uint32_t> slots_;        // by pixel: its set; valid while asked for and not applied
+  std::deque<FullSet> sets_;
+  std::vector<uint32_t> free_sets_;
 
   TileWalk walk_;
   Tile tile_;
