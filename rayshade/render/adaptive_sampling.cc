@@ -35,7 +35,11 @@ std::vector<Sample> AdaptiveSampling::Next(size_t most) {
   for (;;) {
     if (news_) Replay();
     if (tile_done()) AskBorder();
-    if (ahead_ && walk_.done() && asks_.size() * cells_ < most) Guess();
+    if (ahead_ && walk_.done() && asks_.size() * cells_ < most) {
+      const bool stuck = !asks_.empty() && samples_handed_ - samples_put_ < 4 * most;
+      Guess();
+      if (stuck && asks_.size() * cells_ < most) LookAhead(most);
+    }
     if (!asks_.empty()) {
       HandOutFull(most, &samples);
       break;

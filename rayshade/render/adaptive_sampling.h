@@ -88,6 +88,8 @@ class AdaptiveSampling {
   void Guess();
   bool GuessRow(int y, Range range);
   bool GuessFires(int x, int y);
+  void LookAhead(size_t most);
+  bool LookAheadInRow(int y, uint8_t* full, size_t most);
   int64_t GuessesAllowed() const;
 
   Settings settings_;
@@ -98,8 +100,8 @@ class AdaptiveSampling {
   std::vector<double> weights_;
   std::vector<PixelValue> extra_row_;  // row height_, sampled but never written
   std::vector<uint8_t> flags_;         // of every pixel, the extra row included
-  std::vector<int> singles_missing_;   // by row
   std::vector<uint32_t> slots_;        // by pixel: its set; valid while asked for and not applied
+  std::vector<int> singles_missing_;   // by row
   std::deque<FullSet> sets_;
   std::vector<uint32_t> free_sets_;
 

@@ -104,4 +104,42 @@ bool AdaptiveSampling::GuessFires(int x, int y) {
   return !all_expected && ContrastFires(colors, settings_.contrast);
 }
 
+// REQUIRES: all singles are in, or the rows that lack them end the search.
+void AdaptiveSampling::LookAhead(size_t most) {
+  std::vector<uint8_t> full(flags_.begin() + index(0, row_ - 1), flags_.end());
+  for (int y = row_; y < height_; ++y) {
+    if (singles_missing_[y] + singles_missing_[y + 1] > 0) return;
+    if (!LookAheadInRow(y, &full[size_t(y - row_) * width_], most)) return;
+  }
+}
+
+// full: flags of rows y - 1, y and y + 1 as the rule would have left them. Returns false where
+// there is enough to do.
+bool AdaptiveSampling::LookAheadInRow(int y, uint8_t* full, size_t most) {
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (int x = 1; x < width_ - 1; ++x) {
+      const Cross cross = CrossAt(x, y);
+      const Color* colors[5];
+      uint8_t* flags[5];
+      bool all_full = true;
+      for (int i = 0; i < 5; ++i) {
+        const int cx = cross.x[i], cy = cross.y[i];
+        flags[i] = &full[size_t(cy - y + 1) * width_ + cx];
+        const PixelValue* known = (*flags[i] & kFull) ? FullValue(cx, cy) : nullptr;
+        colors[i] = known ? &known->color : &value(cx, cy).color;
+        all_full &= (*flags[i] & kFull) != 0;
+      }
+      if (all_full || !ContrastFires(colors, settings_.contrast)) continue;
+      if (asks_.size() * cells_ >= most || GuessesAllowed() < 5 * cells_) return false;
+      for (int i = 0; i < 5; ++i) {
+        *flags[i] |= kFull;
+        AskFull(cross.x[i], cross.y[i]);
+      }
+      changed = true;
+    }
+  }
+  return true;
+}
+
 }  // namespace rayshade
