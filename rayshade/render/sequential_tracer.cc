@@ -3,16 +3,22 @@
 #include "rayshade/render/sequential_tracer.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "rayshade/common/check.h"
 
 namespace rayshade {
 namespace {
 
-constexpr size_t kBundleSize = 1024;
+// What is in work at a time should stay in the processor's second cache.
+constexpr size_t kBundleSize = 512;
 
-// The rays of `from` behind those of *to, with their media.
-void AppendBundle(const RayBundle& from, RayBundle* to) {
+// Puts the rays of `from` behind those of *to, with their media; `from` is used up.
+void AppendBundle(RayBundle&& from, RayBundle* to) {
+  if (to->empty()) {
+    std::swap(from, *to);
+    return;
+  }
   const auto shift = static_cast<uint32_t>(to->media.size());
   to->media.insert(to->media.end(), from.media.begin(), from.media.end());
   for (Ray ray : from.rays) {
@@ -178,9 +184,8 @@ void SequentialTracer::Impl::Spawn(std::span<const Ray> rays, const std::vector<
   level->reflected.clear();
   for (size_t s = 0; s < count; ++s) {
     const Ray& ray = rays[level->owners[s]];
-    level->secondary[s] =
-        SpawnSecondary(scene, ray, std::span(media).subspan(ray.media_begin, ray.media_count),
-                       level->surfaces[s], &level->children, &level->reflected);
+    SpawnSecondary(scene, ray, std::span(media).subspan(ray.media_begin, ray.media_count),
+                   level->surfaces[s], &level->children, &level->reflected, &level->secondary[s]);
   }
 }
 
@@ -215,7 +220,7 @@ void SequentialTracer::Impl::TraceLevel(size_t depth, std::span<const Ray> rays,
   // The next level.
   Spawn(rays, media, count, &level);
   const size_t transmitted = level.children.size();
-  AppendBundle(level.reflected, &level.children);
+  AppendBundle(std::move(level.reflected), &level.children);
   const size_t children = level.children.size();
   if (level.child_results.size() < children) level.child_results.resize(children);
   for (size_t begin = 0; begin < children; begin += kBundleSize) {

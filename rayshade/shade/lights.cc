@@ -61,10 +61,6 @@ void SpawnShadows(const Scene& scene, const Ray& ray, const SurfaceHit& hit,
   }
 }
 
-Color ShadeAmbient(const Scene& scene, const SurfaceHit& hit) {
-  return hit.surface().ambient * scene.settings().ambient_light;
-}
-
 void AddLight(const SurfaceHit& hit, const LightSample& sample, const Color& arrived, Color* sum) {
   const Surface& surface = hit.surface();
   const double c = sample.cosine;

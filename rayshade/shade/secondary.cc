@@ -13,27 +13,23 @@ bool AnyAbove(const Color& color, const Color& limit) {
 
 bool AnyAbove(const Color& color, double limit) { return AnyAbove(color, {limit, limit, limit}); }
 
-// A ray that goes on from the hit, without its media.
-Ray Continue(const Ray& ray, const SurfaceHit& hit, const Vector& direction,
-             const Color& contribution, RayKind kind) {
-  Ray next;
+// Appends a ray that goes on from the hit. innermost: one more medium, or null.
+void Append(const Ray& ray, const SurfaceHit& hit, const Vector& direction,
+            const Color& contribution, RayKind kind, std::span<const Medium> media,
+            const Medium* innermost, RayBundle* bundle) {
+  Ray& next = bundle->rays.emplace_back();
   next.origin = hit.point;
   next.direction = direction;
   next.time = ray.time;
   next.contribution = contribution;
   next.key = PathKey(ray.key, kind == RayKind::kRefracted);
   next.sample_number = ray.sample_number;
+  next.media_begin = static_cast<uint32_t>(bundle->media.size());
+  next.media_count = static_cast<uint16_t>(media.size() + (innermost != nullptr ? 1 : 0));
   next.depth = static_cast<uint16_t>(ray.depth + 1);
   next.kind = kind;
-  return next;
-}
-
-void Append(Ray ray, std::span<const Medium> media, const Medium* innermost, RayBundle* bundle) {
-  ray.media_begin = static_cast<uint32_t>(bundle->media.size());
-  ray.media_count = static_cast<uint16_t>(media.size() + (innermost != nullptr ? 1 : 0));
   bundle->media.insert(bundle->media.end(), media.begin(), media.end());
   if (innermost != nullptr) bundle->media.push_back(*innermost);
-  bundle->rays.push_back(ray);
 }
 
 // Appends the transmitted ray; false where it is reflected totally.
@@ -64,25 +60,32 @@ bool Transmit(const Scene& scene, const Ray& ray, std::span<const Medium> media,
   const double c2 = 1 - eta * eta * (1 - c1 * c1);
   if (c2 < 0) return false;
   const Vector direction = eta * ray.direction + (eta * c1 - std::sqrt(c2)) * normal;
-  Append(Continue(ray, hit, direction, contribution, RayKind::kRefracted), media,
+  Append(ray, hit, direction, contribution, RayKind::kRefracted, media,
          hit.entering ? &inside : nullptr, transmitted);
   return true;
 }
 
 }  // namespace
 
-Secondary SpawnSecondary(const Scene& scene, const Ray& ray, std::span<const Medium> media,
-                         const SurfaceHit& hit, RayBundle* transmitted, RayBundle* reflected) {
-  Secondary secondary;
+Color Weighted(const SecondaryRay& way, const RayResult& result) {
+  const Color color = way.weight * result.color;
+  return way.extinct == 1 ? color : std::pow(way.extinct, result.distance) * color;
+}
+
+void SpawnSecondary(const Scene& scene, const Ray& ray, std::span<const Medium> media,
+                    const SurfaceHit& hit, RayBundle* transmitted, RayBundle* reflected,
+                    Secondary* secondary) {
+  secondary->transmitted.wanted = false;
+  secondary->reflected.wanted = false;
   const Settings& settings = scene.settings();
-  if (ray.depth >= settings.max_depth) return secondary;
+  if (ray.depth >= settings.max_depth) return;
   const Surface& surface = hit.surface();
   Color reflection = surface.reflect * surface.specular;
   if (surface.transp > kEpsilon) {
     const Color weight = surface.transp * surface.body;
     const Color contribution = weight * ray.contribution;
     if (AnyAbove(contribution, settings.cutoff)) {
-      SecondaryRay& way = secondary.transmitted;
+      SecondaryRay& way = secondary->transmitted;
       if (Transmit(scene, ray, media, hit, contribution, &way.extinct, transmitted)) {
         way.wanted = true;
         way.weight = weight;
@@ -94,13 +97,13 @@ Secondary SpawnSecondary(const Scene& scene, const Ray& ray, std::span<const Med
   if (AnyAbove(reflection, kEpsilon)) {
     const Color contribution = reflection * ray.contribution;
     if (AnyAbove(contribution, settings.cutoff)) {
-      secondary.reflected.wanted = true;
-      secondary.reflected.weight = reflection;
-      Append(Continue(ray, hit, hit.mirror, contribution, RayKind::kReflected), media, nullptr,
-             reflected);
+      SecondaryRay& way = secondary->reflected;
+      way.wanted = true;
+      way.weight = reflection;
+      way.extinct = 1;
+      Append(ray, hit, hit.mirror, contribution, RayKind::kReflected, media, nullptr, reflected);
     }
   }
-  return secondary;
 }
 
 }  // namespace rayshade

@@ -72,7 +72,9 @@ bool SampleLight(const Scene& scene, uint32_t light, const Ray& ray, const Surfa
 void SpawnShadows(const Scene& scene, const Ray& ray, const SurfaceHit& hit,
                   std::vector<ShadowRay>* shadows, OpCounts* counts);
 
-Color ShadeAmbient(const Scene& scene, const SurfaceHit& hit);
+inline Color ShadeAmbient(const Scene& scene, const SurfaceHit& hit) {
+  return hit.surface().ambient * scene.settings().ambient_light;
+}
 // Adds to *sum a light of which `arrived` arrives. Lights that are blocked are left out altogether:
 // they do not even scale by translucency.
 void AddLight(const SurfaceHit& hit, const LightSample& sample, const Color& arrived, Color* sum);
@@ -91,15 +93,42 @@ struct Secondary {
   SecondaryRay transmitted, reflected;
 };
 // media: of the ray, outermost first. Wanted rays are appended to the bundles (their media with
-// them); the two bundles may be the same one.
-Secondary SpawnSecondary(const Scene& scene, const Ray& ray, std::span<const Medium> media,
-                         const SurfaceHit& hit, RayBundle* transmitted, RayBundle* reflected);
+// them); the two bundles may be the same one. Of *secondary, only `wanted` is set where a ray is
+// not.
+void SpawnSecondary(const Scene& scene, const Ray& ray, std::span<const Medium> media,
+                    const SurfaceHit& hit, RayBundle* transmitted, RayBundle* reflected,
+                    Secondary* secondary);
+inline Secondary SpawnSecondary(const Scene& scene, const Ray& ray, std::span<const Medium> media,
+                                const SurfaceHit& hit, RayBundle* transmitted,
+                                RayBundle* reflected) {
+  Secondary secondary;
+  SpawnSecondary(scene, ray, media, hit, transmitted, reflected, &secondary);
+  return secondary;
+}
 
-// The last step. lights: what ShadeLights gave. in_air: the ray's medium stack is empty.
-RayResult Shade(const Scene& scene, const Ray& ray, bool in_air, double distance,
-                const Color& lights, const Secondary& secondary, const RayResult& transmitted,
-                const RayResult& reflected);
+// What arrives at the hit of a secondary ray's result: the weight first, then what the medium
+// leaves.
+Color Weighted(const SecondaryRay& way, const RayResult& result);
+// What the air does to a ray's colour. in_air: the ray's medium stack is empty.
+inline Color ThroughAir(const Scene& scene, const Ray& ray, bool in_air, double distance,
+                        const Color& color) {
+  const Atmosphere& air = scene.spec.atmosphere;
+  if (!in_air || air.effects.empty()) return color;
+  return air.Apply(ray.origin, ray.direction, distance, color);
+}
+
+// The last step. lights: what ShadeLights gave.
+inline RayResult Shade(const Scene& scene, const Ray& ray, bool in_air, double distance,
+                       const Color& lights, const Secondary& secondary,
+                       const RayResult& transmitted, const RayResult& reflected) {
+  Color color = lights;
+  if (secondary.transmitted.wanted) color += Weighted(secondary.transmitted, transmitted);
+  if (secondary.reflected.wanted) color += Weighted(secondary.reflected, reflected);
+  return {ThroughAir(scene, ray, in_air, distance, color), distance, true};
+}
 // The result of a ray that hits nothing: background and atmosphere.
-RayResult ShadeMiss(const Scene& scene, const Ray& ray, bool in_air);
+inline RayResult ShadeMiss(const Scene& scene, const Ray& ray, bool in_air) {
+  return {ThroughAir(scene, ray, in_air, kFar, scene.settings().background), kFar, false};
+}
 
 }  // namespace rayshade
