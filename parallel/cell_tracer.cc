@@ -147,9 +147,10 @@ Hit CellTracer::Locate(const Ray& ray, double distance, Rank rank, OpCounts* cou
   Hit hit;
   const auto find = [&](const ObjectSet& set) {
     hit = Hit();
-    hit.distance = std::nextafter(distance, 2 * kFar);
+    hit.distance = distance;
+    hit.rank = rank + 1;  // the hit itself is the only one that comes before this
     set.Nearest({&ray, 1}, {&hit, 1}, counts);
-    if (!hit.found() || hit.distance != distance || hit.rank != rank) hit = Hit();
+    if (hit.distance != distance || hit.rank != rank) hit = Hit();
     return hit.found();
   };
   if (find(*own_)) return hit;
