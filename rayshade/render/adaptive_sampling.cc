@@ -258,8 +258,12 @@ std::string AdaptiveSampling::Save() const {
   out.Put(entered_);
   out.Put(static_cast<uint8_t>(pass_changed_));
   out.Put(supersampled_);
-  for (const uint8_t flags : flags_) out.Put(static_cast<uint8_t>(flags & (kSingle | kFull)));
-  for (int y = 0; y <= height_; ++y) out.PutRow(&value(0, y), width_);
+  const int rows = std::max(rows_restored_, walk_.rows_begun());
+  out.Put(rows);
+  for (size_t i = 0; i < index(0, rows); ++i) {
+    out.Put(static_cast<uint8_t>(flags_[i] & (kSingle | kFull)));
+  }
+  for (int y = 0; y < rows; ++y) out.PutRow(&value(0, y), width_);
   return out.bytes();
 }
 
@@ -272,8 +276,11 @@ bool AdaptiveSampling::Restore(const std::string& bytes) {
   }
   const uint8_t pass_changed = in.Get<uint8_t>();
   const uint64_t supersampled = in.Get<uint64_t>();
-  if (!in.Holds(flags_.size() * (1 + kSavedPixelBytes))) return false;
+  const int rows = in.Get<int>();
+  if (rows < 1 || rows > height_ + 1) return false;
+  if (!in.Holds(index(0, rows) * (1 + kSavedPixelBytes))) return false;
 
+  rows_restored_ = rows;
   row_ = row;
   x_ = x;
   entered_ = entered;
@@ -284,9 +291,10 @@ bool AdaptiveSampling::Restore(const std::string& bytes) {
   free_sets_.clear();
   asked_samples_ = 0;
   std::fill(open_.begin(), open_.end(), 0);
-  for (uint8_t& flags : flags_) flags = in.Get<uint8_t>() & (kSingle | kFull);
+  std::fill(flags_.begin(), flags_.end(), uint8_t{0});
+  for (size_t i = 0; i < index(0, rows); ++i) flags_[i] = in.Get<uint8_t>() & (kSingle | kFull);
   for (int y = 0; y <= height_; ++y) {
-    in.GetRow(&value(0, y), width_);
+    if (y < rows) in.GetRow(&value(0, y), width_);
     singles_missing_[y] = 0;
     for (int i = 0; i < width_ && y > 0; ++i) singles_missing_[y] += !is(i, y, kSingle);
     for (int i = 0; i < width_ && ahead_; ++i) Unsettle(i, y);

@@ -107,8 +107,9 @@ class AdaptiveSampling {
 
   TileWalk walk_;
   Tile tile_;
-  size_t tile_next_ = 0;  // in tile_
-  int border_rows_ = 1;   // rows whose ends were asked for
+  size_t tile_next_ = 0;   // in tile_
+  int rows_restored_ = 1;  // rows that Restore brought something of
+  int border_rows_ = 1;    // rows whose ends were asked for
   bool last_row_asked_ = false;
   std::deque<Ask> asks_;
 

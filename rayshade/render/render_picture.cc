@@ -171,7 +171,9 @@ bool Renderer::RenderFrame(int frame) {
   }
   const Camera camera(settings_, frame);
   if (reports() && settings_.verbose) {
-    ReportWorld(built.objects->bounds(), built.objects->size(), report());
+    Bounds world = built.objects->bounds();
+    if (!world.empty()) world.Grow(2 * kEpsilon);  // as the original's list of everything
+    ReportWorld(world, built.objects->size(), report());
     if (frame == settings_.first_frame) ReportOptions(settings_, camera.window(), report());
   }
   stats_.build_seconds += EndPhase();
@@ -226,6 +228,9 @@ Renderer::Traced Renderer::Trace(const SceneBuilder::Built& built, const Camera&
   std::vector<RayResult> results;
   while (!sampling->done()) {
     const std::vector<Sample> samples = sampling->Next(kBundle);
+    if (samples.empty() && !sampling->done()) {
+      throw std::runtime_error(PartialFile(file) + " is damaged.");  // the only way to get here
+    }
     bundle.clear();
     for (const Sample& sample : samples) bundle.rays.push_back(camera.PrimaryRay(sample));
     results.assign(samples.size(), {});
@@ -235,7 +240,7 @@ Renderer::Traced Renderer::Trace(const SceneBuilder::Built& built, const Camera&
     const double now = stopwatch_.seconds();
     const OpCounts& counts = stats_.operations;
     progress.Update(now - begin, sampling->fraction_done(), counts.total_rays());
-    if (reports() && (!bar || report_)) {
+    if (reports() && (!bar || report_) && sampling->rows_done() > lines.rows_reported()) {
       lines.Update(sampling->rows_done(), counts.primary_rays, CpuTimeUsed());
     }
     if (signals.Came()) return Traced::kInterrupted;

@@ -33,6 +33,7 @@ class LineReport {
  public:
   LineReport(const Settings& settings, const PictureWindow& window, std::FILE* stream);
   void Update(int rows_done, uint64_t eye_rays, const CpuTime& cpu);
+  int rows_reported() const { return reported_; }
 
  private:
   int frequency_;

@@ -101,6 +101,7 @@ bool ShadowTracer::PassTransparent(const Ray& ray, double limit, Color* color, O
   crossings_.clear();
   CollectCrossings(*scene_, *objects_, ray, limit, &crossings_, counts);
   if (crossings_.empty()) return true;
+  counts->shadow_hits += crossings_.size();
   const std::optional<Color> left = FoldCrossings(&crossings_, *color);
   if (left) *color = *left;
   return left.has_value();
