@@ -83,11 +83,12 @@ void ShadowTracer::Trace(std::span<const Ray> rays, std::span<const double> limi
   if (rays.empty()) return;
   objects_->Block(rays, limits, blocked, counts);
   for (size_t i = 0; i < rays.size(); ++i) {
+    crossings_.clear();
     if (!blocked[i] && scene_->any_transparent &&
         !PassTransparent(rays[i], limits[i], &colors[i], counts)) {
       blocked[i] = 1;
     }
-    counts->shadow_hits += blocked[i];
+    counts->shadow_hits += blocked[i] || !crossings_.empty();
   }
 }
 
@@ -98,10 +99,8 @@ bool ShadowTracer::PassTransparent(const Ray& ray, double limit, Color* color, O
     objects_->Nearest({&ray, 1}, {&hit, 1}, counts);
     return !hit.found();
   }
-  crossings_.clear();
   CollectCrossings(*scene_, *objects_, ray, limit, &crossings_, counts);
   if (crossings_.empty()) return true;
-  counts->shadow_hits += crossings_.size();
   const std::optional<Color> left = FoldCrossings(&crossings_, *color);
   if (left) *color = *left;
   return left.has_value();
