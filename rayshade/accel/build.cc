@@ -313,12 +313,11 @@ class Builder {
     for (int i = 0; i < count; ++i) {
       if (leaf[i]) {
         const bool spheres = parts[i].sphere_begin != parts[i].sphere_end;
-        node.kind[i] = spheres ? kSphereLeaf : in_.refs[parts[i].ref_begin].kind;
-        node.child[i] = spheres ? parts[i].sphere_begin : parts[i].ref_begin;
-        node.count[i] = static_cast<uint8_t>(parts[i].count());
+        node.branch[i] =
+            MakeBranch(spheres ? kSphereLeaf : in_.refs[parts[i].ref_begin].kind,
+                       spheres ? parts[i].sphere_begin : parts[i].ref_begin, parts[i].count());
       } else {
-        node.kind[i] = kInnerNode;
-        node.child[i] = child++;
+        node.branch[i] = MakeBranch(kInnerNode, child++, 0);
         out_.nodes.push_back(Node{});
       }
     }
@@ -326,7 +325,7 @@ class Builder {
     for (int i = 0; i < kNodeWidth; ++i) {
       Box box;
       if (i < count) {
-        box = leaf[i] ? MakeLeaf(parts[i]) : FillNode(node.child[i], parts[i], depth + 1);
+        box = leaf[i] ? MakeLeaf(parts[i]) : FillNode(ChildOf(node.branch[i]), parts[i], depth + 1);
         all.Include(box);
       }
       for (int axis = 0; axis < 3; ++axis) {

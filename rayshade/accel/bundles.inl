@@ -3,9 +3,9 @@
 // tested exactly, eight at a time.
 
 struct BundleEntry {
+  uint64_t branch;
   float depth;
-  uint32_t child;
-  uint8_t kind, count, groups;
+  uint32_t groups;  // bits
 };
 
 // Wider pyramids (by slope) are divided, or their rays traced one by one.
@@ -76,18 +76,20 @@ RAYSHADE_KERNEL bool OthersNearest(const TraceView& view, Bundle* b, int g, uint
 RAYSHADE_KERNEL void NearestInLeafOfBundle(const TraceView& view, Bundle* b, const BundleEntry& e,
                                            Hit* hits) {
   uint32_t changed = 0;
-  const double* rows = view.spheres + 4 * static_cast<size_t>(e.child);
-  for (uint32_t i = 0; i < e.count; ++i) {
-    const uint32_t object = e.child + i;
-    if (e.kind != kSphereLeaf) {
+  const uint32_t first = ChildOf(e.branch), count = CountOf(e.branch);
+  const LeafKind kind = KindOf(e.branch);
+  const double* rows = view.spheres + 4 * static_cast<size_t>(first);
+  for (uint32_t i = 0; i < count; ++i) {
+    const uint32_t object = first + i;
+    if (kind != kSphereLeaf) {
       for (uint32_t m = e.groups; m != 0; m &= m - 1) {
         const int g = __builtin_ctz(m);
         if (OthersNearest(view, b, g, object, hits)) changed |= 1u << g;
       }
       continue;
     }
-    const D8 x = SetD(rows[i]), y = SetD(rows[e.count + i]), z = SetD(rows[2 * e.count + i]);
-    const D8 radius = SetD(rows[3 * e.count + i]);
+    const D8 x = SetD(rows[i]), y = SetD(rows[count + i]), z = SetD(rows[2 * count + i]);
+    const D8 radius = SetD(rows[3 * count + i]);
     for (uint32_t m = e.groups; m != 0; m &= m - 1) {
       const int g = __builtin_ctz(m);
       D8 distance;
@@ -103,7 +105,7 @@ RAYSHADE_KERNEL void NearestInLeafOfBundle(const TraceView& view, Bundle* b, con
 // Puts the children that the bundle meets on the stack, the nearest on top where `sorted`.
 RAYSHADE_KERNEL BundleEntry* PushMet(const TraceView& view, const Bundle& b, const BundleEntry& e,
                                      bool sorted, BundleEntry* top) {
-  const Node& node = view.nodes[e.child];
+  const Node& node = view.nodes[ChildOf(e.branch)];
   const bool one = (e.groups & (e.groups - 1)) == 0;
   F8 depths;
   uint32_t bits = ChildrenInPyramid(b, node, one ? __builtin_ctz(e.groups) : -1, &depths);
@@ -114,8 +116,7 @@ RAYSHADE_KERNEL BundleEntry* PushMet(const TraceView& view, const Bundle& b, con
     const uint32_t i = static_cast<uint32_t>(__builtin_ctz(bits));
     const uint32_t groups = one ? e.groups : e.groups & GroupsAtChild(b, node, i);
     if (groups == 0) continue;
-    const BundleEntry child{depth[i], node.child[i], node.kind[i], node.count[i],
-                            static_cast<uint8_t>(groups)};
+    const BundleEntry child{node.branch[i], depth[i], groups};
     BundleEntry* p = top++;
     for (; sorted && p > bottom && p[-1].depth < child.depth; --p) *p = p[-1];
     *p = child;
@@ -124,20 +125,20 @@ RAYSHADE_KERNEL BundleEntry* PushMet(const TraceView& view, const Bundle& b, con
 }
 
 RAYSHADE_KERNEL uint32_t Tests(const BundleEntry& e) {
-  return 8u * e.count * static_cast<uint32_t>(__builtin_popcount(e.groups));
+  return 8u * CountOf(e.branch) * static_cast<uint32_t>(__builtin_popcount(e.groups));
 }
 
 RAYSHADE_KERNEL void NearestOfBundle(const TraceView& view, Bundle* b, Hit* hits,
                                      Counters* counters) {
   BundleEntry stack[kStackSize];
   BundleEntry* top = stack;
-  *top++ = {0, 0, kInnerNode, 0, static_cast<uint8_t>((1u << b->groups) - 1)};
+  *top++ = {MakeBranch(kInnerNode, 0, 0), 0, (1u << b->groups) - 1};
   while (top != stack) {
     BundleEntry e = *--top;
     if (e.depth > b->whole.most) continue;
-    e.groups &= static_cast<uint8_t>(LessEqual(SetF(e.depth), LoadF(b->most)));
+    e.groups &= LessEqual(SetF(e.depth), LoadF(b->most));
     if (e.groups == 0) continue;
-    if (e.kind != kInnerNode) {
+    if (KindOf(e.branch) != kInnerNode) {
       counters->tests += Tests(e);
       NearestInLeafOfBundle(view, b, e, hits);
     } else {
@@ -151,17 +152,19 @@ RAYSHADE_KERNEL void NearestOfBundle(const TraceView& view, Bundle* b, Hit* hits
 RAYSHADE_KERNEL void BlockInLeafOfBundle(const TraceView& view, Bundle* b, const BundleEntry& e,
                                          uint8_t* blocked) {
   uint32_t changed = 0;
-  const double* rows = view.spheres + 4 * static_cast<size_t>(e.child);
-  for (uint32_t i = 0; i < e.count; ++i) {
-    const uint32_t object = e.child + i;
-    const bool sphere = e.kind == kSphereLeaf;
+  const uint32_t first = ChildOf(e.branch), count = CountOf(e.branch);
+  const LeafKind kind = KindOf(e.branch);
+  const double* rows = view.spheres + 4 * static_cast<size_t>(first);
+  for (uint32_t i = 0; i < count; ++i) {
+    const uint32_t object = first + i;
+    const bool sphere = kind == kSphereLeaf;
     if (sphere && !view.all_opaque && !view.opaque[view.keys[object].placement]) continue;
     D8 x, y, z, radius;
     if (sphere) {
       x = SetD(rows[i]);
-      y = SetD(rows[e.count + i]);
-      z = SetD(rows[2 * e.count + i]);
-      radius = SetD(rows[3 * e.count + i]);
+      y = SetD(rows[count + i]);
+      z = SetD(rows[2 * count + i]);
+      radius = SetD(rows[3 * count + i]);
     }
     for (uint32_t m = e.groups; m != 0; m &= m - 1) {
       const int g = __builtin_ctz(m);
@@ -195,12 +198,12 @@ RAYSHADE_KERNEL void BlockBundle(const TraceView& view, Bundle* b, uint8_t* bloc
                                  Counters* counters) {
   BundleEntry stack[kStackSize];
   BundleEntry* top = stack;
-  *top++ = {0, 0, kInnerNode, 0, static_cast<uint8_t>((1u << b->groups) - 1)};
+  *top++ = {MakeBranch(kInnerNode, 0, 0), 0, (1u << b->groups) - 1};
   while (top != stack) {
     BundleEntry e = *--top;
-    e.groups &= static_cast<uint8_t>(LessEqual(SetF(0), LoadF(b->most)));
+    e.groups &= LessEqual(SetF(0), LoadF(b->most));
     if (e.groups == 0) continue;
-    if (e.kind != kInnerNode) {
+    if (KindOf(e.branch) != kInnerNode) {
       counters->tests += Tests(e);
       BlockInLeafOfBundle(view, b, e, blocked);
     } else {
@@ -279,8 +282,9 @@ RAYSHADE_KERNEL void NearestOfSome(const TraceView& view, const Ray* rays, Hit* 
 
 RAYSHADE_KERNEL void BlockSome(const TraceView& view, const Ray* rays, const double* limits,
                                uint8_t* blocked, uint32_t count, Counters* counters) {
-  if (count > 8 && TryBlock(view, rays, limits, blocked, count, kWidestShadowBundle, counters))
+  if (count > 8 && TryBlock(view, rays, limits, blocked, count, kWidestShadowBundle, counters)) {
     return;
+  }
   for (uint32_t i = 0; i < count; i += 8) {
     const uint32_t size = count - i < 8 ? count - i : 8;
     if (size > 1 &&

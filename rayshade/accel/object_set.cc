@@ -85,7 +85,7 @@ void ObjectSet::Impl::Build() {
   }
   for (Node& node : nodes) {
     for (int i = 0; i < kNodeWidth; ++i) {
-      if (node.kind[i] > kSphereLeaf) node.child[i] += spheres;
+      if (KindOf(node.branch[i]) > kSphereLeaf) node.branch[i] += spheres;
     }
   }
   // What the kernels see.
@@ -170,16 +170,18 @@ void ObjectSet::ForEachIn(const Bounds& box,
     const Node& node = impl_->nodes[stack.back()];
     stack.pop_back();
     for (int i = 0; i < kNodeWidth; ++i) {
-      bool apart = node.kind[i] == kEmptySlot;
+      const uint64_t branch = node.branch[i];
+      bool apart = KindOf(branch) == kEmptySlot;
       for (int axis = 0; axis < 3; ++axis) {
         apart |= node.plane[axis][i] > high[axis] || node.plane[3 + axis][i] < low[axis];
       }
       if (apart) continue;
-      if (node.kind[i] == kInnerNode) {
-        stack.push_back(node.child[i]);
+      const uint32_t child = ChildOf(branch);
+      if (KindOf(branch) == kInnerNode) {
+        stack.push_back(child);
         continue;
       }
-      for (uint32_t k = node.child[i]; k < node.child[i] + node.count[i]; ++k) {
+      for (uint32_t k = child; k < child + CountOf(branch); ++k) {
         if (impl_->objects.WorldBox(k).Overlaps(box)) visit(k);
       }
     }

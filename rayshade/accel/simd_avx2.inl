@@ -67,3 +67,21 @@ RAYSHADE_KERNEL double Largest(D8 a) {
   const __m128d n = _mm_max_pd(_mm256_castpd256_pd128(m), _mm256_extractf128_pd(m, 1));
   return _mm_cvtsd_f64(_mm_max_sd(n, _mm_unpackhi_pd(n, n)));
 }
+RAYSHADE_KERNEL F8 Choose(uint32_t mask, F8 a, F8 b) {
+  const __m256i bit = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
+  const __m256i set = _mm256_and_si256(_mm256_set1_epi32(static_cast<int>(mask)), bit);
+  return {_mm256_blendv_ps(b.v, a.v, _mm256_castsi256_ps(_mm256_cmpeq_epi32(set, bit)))};
+}
+RAYSHADE_KERNEL float Least(F8 a) {
+  __m128 m = _mm_min_ps(_mm256_castps256_ps128(a.v), _mm256_extractf128_ps(a.v, 1));
+  m = _mm_min_ps(m, _mm_movehl_ps(m, m));
+  return _mm_cvtss_f32(_mm_min_ss(m, _mm_movehdup_ps(m)));
+}
+RAYSHADE_KERNEL void Compress(uint32_t mask, F8 a, float* to) {
+  alignas(32) float all[8];
+  _mm256_store_ps(all, a.v);
+  for (; mask != 0; mask &= mask - 1) *to++ = all[__builtin_ctz(mask)];
+}
+RAYSHADE_KERNEL void Compress(uint32_t mask, const uint64_t* from, uint64_t* to) {
+  for (; mask != 0; mask &= mask - 1) *to++ = from[__builtin_ctz(mask)];
+}

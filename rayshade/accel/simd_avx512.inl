@@ -46,3 +46,18 @@ RAYSHADE_KERNEL double Largest(D8 a) {
   const __m128d n = _mm_max_pd(_mm256_castpd256_pd128(m), _mm256_extractf128_pd(m, 1));
   return _mm_cvtsd_f64(_mm_max_sd(n, _mm_unpackhi_pd(n, n)));
 }
+RAYSHADE_KERNEL F8 Choose(uint32_t mask, F8 a, F8 b) {
+  return {_mm256_mask_blend_ps(static_cast<__mmask8>(mask), b.v, a.v)};
+}
+RAYSHADE_KERNEL float Least(F8 a) {
+  __m128 m = _mm_min_ps(_mm256_castps256_ps128(a.v), _mm256_extractf128_ps(a.v, 1));
+  m = _mm_min_ps(m, _mm_movehl_ps(m, m));
+  return _mm_cvtss_f32(_mm_min_ss(m, _mm_movehdup_ps(m)));
+}
+RAYSHADE_KERNEL void Compress(uint32_t mask, F8 a, float* to) {
+  _mm256_storeu_ps(to, _mm256_maskz_compress_ps(static_cast<__mmask8>(mask), a.v));
+}
+RAYSHADE_KERNEL void Compress(uint32_t mask, const uint64_t* from, uint64_t* to) {
+  const __m512i all = _mm512_loadu_si512(from);
+  _mm512_storeu_si512(to, _mm512_maskz_compress_epi64(static_cast<__mmask8>(mask), all));
+}

@@ -115,6 +115,23 @@ RAYSHADE_KERNEL D8 Max(D8 a, D8 b) {
   RAYSHADE_LANES r.v[i] = a.v[i] > b.v[i] ? a.v[i] : b.v[i];
   return r;
 }
+RAYSHADE_KERNEL F8 Choose(uint32_t mask, F8 a, F8 b) {
+  F8 r;
+  RAYSHADE_LANES r.v[i] = (mask >> i & 1) ? a.v[i] : b.v[i];
+  return r;
+}
+RAYSHADE_KERNEL float Least(F8 a) {
+  float r = a.v[0];
+  RAYSHADE_LANES r = a.v[i] < r ? a.v[i] : r;
+  return r;
+}
+// Stores the lanes whose bits are set, one after the other; what lies behind them may change.
+RAYSHADE_KERNEL void Compress(uint32_t mask, F8 a, float* to) {
+  for (; mask != 0; mask &= mask - 1) *to++ = a.v[__builtin_ctz(mask)];
+}
+RAYSHADE_KERNEL void Compress(uint32_t mask, const uint64_t* from, uint64_t* to) {
+  for (; mask != 0; mask &= mask - 1) *to++ = from[__builtin_ctz(mask)];
+}
 // The least and the largest of all lanes.
 RAYSHADE_KERNEL double Least(D8 a) {
   double r = a.v[0];

@@ -15,7 +15,7 @@ struct Counters {
 
 // A ray as the nodes see it: single precision, relative to the hierarchy's center.
 struct SlabRay {
-  F8 near_origin[3], far_origin[3], inverse[3], least;
+  F8 near_origin[3], far_origin[3], inverse[3], far_inverse[3], least;
   int near_plane[3], far_plane[3];
 };
 
@@ -54,6 +54,7 @@ RAYSHADE_KERNEL void SetUp(const TraceView& view, const Ray& ray, RayWork* w, Sl
     s->near_origin[axis] = SetF(negative ? below : above);
     s->far_origin[axis] = SetF(negative ? above : below);
     s->inverse[axis] = SetF(inverse);
+    s->far_inverse[axis] = SetF(inverse * kSlack);
     s->near_plane[axis] = negative ? 3 + axis : axis;
     s->far_plane[axis] = negative ? axis : 3 + axis;
   }
@@ -70,9 +71,8 @@ RAYSHADE_KERNEL uint32_t MeetChildren(const Node& node, const SlabRay& s, float 
   for (int axis = 0; axis < 3; ++axis) {
     near =
         Max((LoadF(node.plane[s.near_plane[axis]]) - s.near_origin[axis]) * s.inverse[axis], near);
-    far = Min((LoadF(node.plane[s.far_plane[axis]]) - s.far_origin[axis]) * s.inverse[axis] *
-                  SetF(kSlack),
-              far);
+    far =
+        Min((LoadF(node.plane[s.far_plane[axis]]) - s.far_origin[axis]) * s.far_inverse[axis], far);
   }
   *entry = near;
   return LessEqual(near, far);
@@ -142,47 +142,35 @@ RAYSHADE_KERNEL bool SpheresBlock(const TraceView& view, const RayWork& w, uint3
   return false;
 }
 
-struct StackEntry {
-  float entry;
-  uint32_t child;
-  uint8_t kind, count;
-};
-
-RAYSHADE_KERNEL void NearestInLeaf(const TraceView& view, const RayWork& w, const StackEntry& leaf,
+RAYSHADE_KERNEL void NearestInLeaf(const TraceView& view, const RayWork& w, uint64_t branch,
                                    Hit* hit) {
-  if (leaf.kind == kSphereLeaf) {
-    NearestInSpheres(view, w, leaf.child, leaf.count, hit);
+  const uint32_t first = ChildOf(branch), count = CountOf(branch);
+  if (KindOf(branch) == kSphereLeaf) {
+    NearestInSpheres(view, w, first, static_cast<int>(count), hit);
     return;
   }
-  for (uint32_t i = leaf.child; i < leaf.child + leaf.count; ++i) {
+  for (uint32_t i = first; i < first + count; ++i) {
     view.callbacks.nearest_other(view.set, *w.ray, i, w.strict_limit, hit);
   }
 }
 
-RAYSHADE_KERNEL bool LeafBlocks(const TraceView& view, const RayWork& w, const StackEntry& leaf,
+RAYSHADE_KERNEL bool LeafBlocks(const TraceView& view, const RayWork& w, uint64_t branch,
                                 double limit) {
-  if (leaf.kind == kSphereLeaf) return SpheresBlock(view, w, leaf.child, leaf.count, limit);
-  for (uint32_t i = leaf.child; i < leaf.child + leaf.count; ++i) {
+  const uint32_t first = ChildOf(branch), count = CountOf(branch);
+  if (KindOf(branch) == kSphereLeaf) {
+    return SpheresBlock(view, w, first, static_cast<int>(count), limit);
+  }
+  for (uint32_t i = first; i < first + count; ++i) {
     if (view.callbacks.blocks_other(view.set, *w.ray, i, limit)) return true;
   }
   return false;
 }
 
-// Puts the children on the stack, the nearest on top.
-RAYSHADE_KERNEL StackEntry* PushSorted(const Node& node, uint32_t bits, F8 entries,
-                                       StackEntry* top) {
-  alignas(32) float entry[8];
-  Store(entries, entry);
-  StackEntry* const bottom = top;
-  for (; bits != 0; bits &= bits - 1) {
-    const uint32_t i = static_cast<uint32_t>(__builtin_ctz(bits));
-    const StackEntry e{entry[i], node.child[i], node.kind[i], node.count[i]};
-    StackEntry* p = top++;
-    for (; p > bottom && p[-1].entry < e.entry; --p) *p = p[-1];
-    *p = e;
-  }
-  return top;
-}
+// What is still to be visited; room for eight more than can be needed, since pushing stores eight.
+struct Stack {
+  uint64_t branch[kStackSize + 8];
+  float entry[kStackSize + 8];
+};
 
 RAYSHADE_KERNEL void NearestOfOne(const TraceView& view, const Ray& ray, Hit* hit,
                                   Counters* counters) {
@@ -195,56 +183,69 @@ RAYSHADE_KERNEL void NearestOfOne(const TraceView& view, const Ray& ray, Hit* hi
   }
   counters->tests += view.unbounded_count;
   if (view.node_count == 0) return;
-  StackEntry stack[kStackSize];
-  StackEntry* top = stack;
-  *top++ = {0, 0, kInnerNode, 0};
-  while (top != stack) {
-    const StackEntry e = *--top;
-    const float most = Loosened(hit->distance);
-    if (e.entry > most) continue;
-    if (e.kind != kInnerNode) {
-      counters->tests += e.count;
-      NearestInLeaf(view, w, e, hit);
-      continue;
+  Stack stack;
+  uint32_t top = 0;
+  uint64_t branch = MakeBranch(kInnerNode, 0, 0);
+  float most = Loosened(hit->distance);
+  for (;;) {
+    if (KindOf(branch) == kInnerNode) {
+      ++counters->nodes;
+      const Node& node = view.nodes[ChildOf(branch)];
+      F8 entries;
+      uint32_t bits = MeetChildren(node, s, most, &entries);
+      if (bits != 0) {
+        // The nearest child is next, the others wait.
+        const F8 met = Choose(bits, entries, SetF(__builtin_inff()));
+        const uint32_t nearest = LessEqual(met, SetF(Least(met)));
+        const uint32_t i = static_cast<uint32_t>(__builtin_ctz(nearest));
+        branch = node.branch[i];
+        bits &= ~(1u << i);
+        Compress(bits, entries, stack.entry + top);
+        Compress(bits, node.branch, stack.branch + top);
+        top += static_cast<uint32_t>(__builtin_popcount(bits));
+        continue;
+      }
+    } else {
+      counters->tests += CountOf(branch);
+      NearestInLeaf(view, w, branch, hit);
+      most = Loosened(hit->distance);
     }
-    ++counters->nodes;
-    F8 entries;
-    const Node& node = view.nodes[e.child];
-    const uint32_t bits = MeetChildren(node, s, most, &entries);
-    top = PushSorted(node, bits, entries, top);
+    do {
+      if (top == 0) return;
+      --top;
+    } while (stack.entry[top] > most);
+    branch = stack.branch[top];
   }
 }
 
 RAYSHADE_KERNEL bool OneIsBlocked(const TraceView& view, const Ray& ray, double limit,
                                   Counters* counters) {
-  RayWork w;
-  SlabRay s;
-  SetUp(view, ray, &w, &s);
-  w.strict_limit = limit;
   for (uint32_t i = 0; i < view.unbounded_count; ++i) {
     ++counters->tests;
     if (view.callbacks.blocks_other(view.set, ray, view.unbounded[i], limit)) return true;
   }
   if (view.node_count == 0) return false;
+  RayWork w;
+  SlabRay s;
+  SetUp(view, ray, &w, &s);
+  w.strict_limit = limit;
   const float most = Loosened(limit);
-  StackEntry stack[kStackSize];
-  StackEntry* top = stack;
-  *top++ = {0, 0, kInnerNode, 0};
-  while (top != stack) {
-    const StackEntry e = *--top;
-    if (e.kind != kInnerNode) {
-      counters->tests += e.count;
-      if (LeafBlocks(view, w, e, limit)) return true;
+  uint64_t stack[kStackSize + 8];
+  uint32_t top = 0;
+  stack[top++] = MakeBranch(kInnerNode, 0, 0);
+  while (top != 0) {
+    const uint64_t branch = stack[--top];
+    if (KindOf(branch) != kInnerNode) {
+      counters->tests += CountOf(branch);
+      if (LeafBlocks(view, w, branch, limit)) return true;
       continue;
     }
     ++counters->nodes;
+    const Node& node = view.nodes[ChildOf(branch)];
     F8 entries;
-    const Node& node = view.nodes[e.child];
-    uint32_t bits = MeetChildren(node, s, most, &entries);
-    for (; bits != 0; bits &= bits - 1) {
-      const uint32_t i = static_cast<uint32_t>(__builtin_ctz(bits));
-      *top++ = {0, node.child[i], node.kind[i], node.count[i]};
-    }
+    const uint32_t bits = MeetChildren(node, s, most, &entries);
+    Compress(bits, node.branch, stack + top);
+    top += static_cast<uint32_t>(__builtin_popcount(bits));
   }
   return false;
 }

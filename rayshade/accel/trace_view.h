@@ -39,11 +39,25 @@ enum LeafKind : uint8_t {
 };
 
 struct alignas(64) Node {
-  float plane[6][kNodeWidth];  // low x, y, z, high x, y, z of each child
-  uint32_t child[kNodeWidth];  // node, or first object
-  uint8_t kind[kNodeWidth];    // LeafKind
-  uint8_t count[kNodeWidth];   // objects of a leaf
+  float plane[6][kNodeWidth];   // low x, y, z, high x, y, z of each child
+  uint64_t branch[kNodeWidth];  // of each child; see MakeBranch
 };
+static_assert(sizeof(Node) == 256);
+
+// What a node's child is: an inner node's number, or the first object of a leaf and their count.
+inline constexpr int kKindShift = 32, kCountShift = 40;
+#define RAYSHADE_BRANCH static inline __attribute__((always_inline))
+RAYSHADE_BRANCH uint64_t MakeBranch(LeafKind kind, uint32_t child, uint32_t count) {
+  return child | uint64_t{kind} << kKindShift | uint64_t{count} << kCountShift;
+}
+RAYSHADE_BRANCH uint32_t ChildOf(uint64_t branch) { return static_cast<uint32_t>(branch); }
+RAYSHADE_BRANCH LeafKind KindOf(uint64_t branch) {
+  return static_cast<LeafKind>(branch >> kKindShift & 0xff);
+}
+RAYSHADE_BRANCH uint32_t CountOf(uint64_t branch) {
+  return static_cast<uint32_t>(branch >> kCountShift);
+}
+#undef RAYSHADE_BRANCH
 
 struct ObjectKey {
   uint32_t placement;
