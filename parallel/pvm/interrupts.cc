@@ -26,7 +26,10 @@ void Set(void (*handler)(int), int flags) {
 
 }  // namespace
 
-Interrupts::Interrupts() { Set(Remember, static_cast<int>(SA_RESETHAND)); }
+Interrupts::Interrupts() {
+  Set(Remember, static_cast<int>(SA_RESETHAND));
+  signal(SIGPIPE, SIG_IGN);
+}
 Interrupts::~Interrupts() { Set(SIG_DFL, 0); }
 
 int Interrupts::Came() { return came; }

@@ -1,5 +1,6 @@
 // SIGINT and SIGTERM as something to ask for: the first one is remembered, a second one ends the
-// program at once. The one piece of mutable static state, since a signal handler can reach no
+// program at once. SIGPIPE is ignored from then on: a direct route whose other end is gone must not
+// end this process. The one piece of mutable static state, since a signal handler can reach no
 // other.
 #pragma once
 
