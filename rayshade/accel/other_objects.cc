@@ -137,8 +137,14 @@ void OtherObjects::Describe(const Ray& ray, uint32_t object, double distance, Hi
       const ObjectRay world = local;
       ToObject(placement, world, ray.min_distance, kFar, &local, &scale);
     }
-    objects_->other(objects_->item(object))
-        .geom->Describe(local, ray.min_distance * scale, distance * scale, path);
+    // The distance as the object has it: on the way to world space and back it loses its last bits.
+    const Geom& geom = *objects_->other(objects_->item(object)).geom;
+    double own = distance * scale, exact;
+    if (scale != 1 && geom.Intersect(local, ray.min_distance * scale, kFar * scale, &exact) &&
+        exact / scale == distance) {
+      own = exact;
+    }
+    geom.Describe(local, ray.min_distance * scale, own, path);
     return;
   }
   if (!placement.plain) {
