@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "rayshade/common/ray.h"
@@ -47,6 +48,7 @@ class Camera {
   Vector corner_, step_x_, step_y_;      // [rayshade4/1 s.7.3]
   double distance_ = 0;
   double frame_start_ = 0;
+  std::optional<double> frozen_time_;  // of all rays
 };
 
 // What is wrong with the view or the sampling, in Rayshade's words, or "".

@@ -95,7 +95,8 @@ class Renderer {
     phase_end_seconds_ = now;
     return spent;
   }
-  bool reports() const { return !settings_.quiet; }
+  // A report file is written even where the terminal is to stay silent.
+  bool reports() const { return !settings_.quiet || report_; }
   std::FILE* report() const { return report_ ? report_.get() : stderr; }
 
   struct Close {
@@ -218,7 +219,7 @@ Renderer::Traced Renderer::Trace(const SceneBuilder::Built& built, const Camera&
                                  const std::string& file, const std::string& fingerprint,
                                  PixelSampling* sampling) {
   const SignalWatch signals;
-  const bool bar = reports() && isatty(STDERR_FILENO);
+  const bool bar = !settings_.quiet && isatty(STDERR_FILENO);
   Progress progress(bar ? stderr : nullptr);
   LineReport lines(settings_, camera.window(), report());
   const double begin = stopwatch_.seconds();

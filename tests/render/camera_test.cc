@@ -70,6 +70,17 @@ TEST(Camera, SpreadsSampleTimesOverTheShutterInterval) {
   EXPECT_EQ(camera.PrimaryRay({1, 1, 2, false}).sample_number, 7u);
 }
 
+TEST(Camera, FreezesMotionAtTheEndOfTheShutterIntervalAsTheOriginalDid) {
+  Settings settings = Small(8, 8);
+  settings.shutter = 1;
+  settings.frames = 2;
+  const Sample sample{3, 3, 0, true};
+  EXPECT_EQ(Camera(settings, 0).PrimaryRay(sample).time, 1);
+  EXPECT_EQ(Camera(settings, 1).PrimaryRay(sample).time, 1);
+  settings.start_time = .2;
+  EXPECT_EQ(Camera(settings, 0).PrimaryRay(sample).time, .2);
+}
+
 TEST(Camera, FocusesOnASphereThroughASquareLens) {
   Settings settings = Small(64, 64);
   settings.samples = 4;
