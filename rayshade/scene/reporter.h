@@ -27,7 +27,7 @@ class Reporter {
     const bool follows = lexer_->tokens() == tokens_of_doubt_;
     if (!in_doubt_ && !follows) diagnostics_->ReportSyntax(lexer_->place(), text);
   }
-  // REQUIRES: the token after the item has been read.
+  // With the token after the item read, where the item needed it to end.
   void EndItem() {
     if (in_doubt_) tokens_of_doubt_ = lexer_->tokens();
     in_doubt_ = false;

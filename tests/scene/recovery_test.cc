@@ -97,6 +97,25 @@ TEST(Recovery, StrangeBytesAreSyntaxErrors) {
   }
 }
 
+TEST(Recovery, TokensThatEndTooSoonAreTakenAsFarAsTheyGo) {
+  const auto printed = [](const std::string& text) {
+    return ReadText(text + " sphere 1 0 0 0").messages;
+  };
+  // A number, and the word that begins with its exponent's letter.
+  EXPECT_EQ(printed("print 1eyep 0 0 0 print .5eyep 1 1 1 print -2.eyep 1 1 1"),
+            "1.000000\n0.500000\n-2.000000\n");
+  EXPECT_EQ(printed("define e 1 print (1e+e)"), "rs: Error: stdin: line 1: syntax error\n");
+  // A path goes as far as its last name.
+  for (const char* path : {"a/b/", "/a/./", "//a/b/..", "./a/", "../a/."}) {
+    EXPECT_EQ(printed(std::string("outfile ") + path), "rs: Error: stdin: line 1: syntax error\n");
+  }
+  EXPECT_EQ(ReadText("print (6/ 2) print (8 /2) sphere 1 0 0 0").messages, "3.000000\n4.000000\n");
+  EXPECT_EQ(ReadText("define a 6 print (a/ 2) sphere 1 0 0 0").messages, "3.000000\n");
+  EXPECT_EQ(ReadText("sphere 1 0 0 -.5 outfile ..sphere 1 0 0 0").status, 1);
+  EXPECT_EQ(ReadText("outfile /tmp/./x/../a.b sphere 1 0 0 +.5").sink.settings.at(0).output,
+            "/tmp/./x/../a.b");
+}
+
 TEST(Recovery, AnUnterminatedCommentIsAnError) {
   const Reading r = ReadText("sphere 1 0 0 0 /* and\nso on");
   EXPECT_EQ(r.messages, "rs: Error: stdin, line 2: Unterminated comment.\n");
