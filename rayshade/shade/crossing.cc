@@ -10,6 +10,10 @@ namespace rayshade {
 
 namespace {
 
+// A search for further objects starts this much behind a hit, relatively: more than what a distance loses on its way
+// into object space and back, so that the same hit is not found again.
+constexpr double kBehind = 1e-12;
+
 // All crossings of one object, each searched from kEpsilon behind the one before, as in Rayshade: an object's enter
 // rule and the inside of CSG need the ray to have left the surface it comes from. That other objects' crossings do not
 // enter here keeps the result independent of what else a set holds.
@@ -54,7 +58,7 @@ void CollectCrossings(const Scene& scene, const ObjectSet& set, const Ray& shado
                     [&hit](const ShadowCrossing& crossing) { return crossing.rank == hit.rank; });
     if (!known) CollectOf(scene, set, hit.object, shadow, limit, crossings, counts);
     if (!crossings->empty() && crossings->back().opaque) return;
-    rest.min_distance = std::nextafter(hit.distance, kFar);
+    rest.min_distance = hit.distance * (1 + kBehind);
   }
 }
 
