@@ -133,8 +133,12 @@ void VirtualMachine::KillSpawned() {
 }
 
 VirtualMachine::~VirtualMachine() {
+  // pvm_exit waits for the last words of all tasks (pvm_catchout): for those of a lost machine it
+  // would wait for minutes. Then PVM sees this process end instead.
+  const bool waits =
+      std::all_of(spawned_.begin(), spawned_.end(), [](const Spawned& s) { return s.local; });
   KillSpawned();
-  pvm_exit();
+  if (waits) pvm_exit();
 }
 
 }  // namespace rayshade::parallel

@@ -1,7 +1,7 @@
 #!/bin/bash
 # One picture over four PVM hosts, each in a network of its own.
-. "$(dirname "$0")/../support/shell_test.sh"
-. tests/pvm/support.sh
+. "$(dirname "$0")/../support/shell_checks.sh" || exit 2
+. tests/pvm/support.sh || exit 2
 sentence="four PVM hosts make the sequential picture"
 need_pvm "$sentence"
 cluster=pvm_conf/one-box-cluster

@@ -1,8 +1,8 @@
 #!/bin/bash
 # A run that is cut short, by the loss of a process or by a signal, ends within seconds; nothing is left running, no
 # picture and no part of one is written.
-. "$(dirname "$0")/../support/shell_test.sh"
-. tests/pvm/support.sh
+. "$(dirname "$0")/../support/shell_checks.sh" || exit 2
+. tests/pvm/support.sh || exit 2
 need_pvm "a run that is cut short"
 
 host= status=

@@ -1,7 +1,7 @@
 #!/bin/bash
 # Over PVM the picture is the sequential one, byte for byte; on a virtual machine that prayshade starts and ends itself.
-. "$(dirname "$0")/../support/shell_test.sh"
-. tests/pvm/support.sh
+. "$(dirname "$0")/../support/shell_checks.sh" || exit 2
+. tests/pvm/support.sh || exit 2
 need_pvm "the picture over PVM is the sequential one"
 
 "$rayshade" -q --stats "$work/sequential.json" -O "$work/sequential.png" "$work/small.ray"

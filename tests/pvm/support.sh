@@ -1,4 +1,4 @@
-# For tests/pvm/*_test.sh, by `.`, after shell_test.sh: a virtual machine of the test's own, a small scene, and what is
+# For tests/pvm/*_test.sh, by `.`, after shell_checks.sh: a virtual machine of the test's own, a small scene, and what is
 # left running. Nothing here meets a user's virtual machine: name and folder are the test's.
 prayshade=$BUILD/prayshade
 rayshade=$BUILD/rayshade

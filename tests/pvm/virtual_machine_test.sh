@@ -1,7 +1,7 @@
 #!/bin/bash
 # Which virtual machine prayshade uses: a running one, the console's, or its own; and what it says where there is none.
-. "$(dirname "$0")/../support/shell_test.sh"
-. tests/pvm/support.sh
+. "$(dirname "$0")/../support/shell_checks.sh" || exit 2
+. tests/pvm/support.sh || exit 2
 need_pvm "prayshade in a virtual machine"
 "$rayshade" -q -O "$work/sequential.png" "$work/small.ray"
 small() { timeout 60 "$@" -q --processes 2 -O "$work/a.png" "$work/small.ray"; }
