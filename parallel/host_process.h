@@ -39,6 +39,10 @@ class HostProcess : public Process {
   bool Work(Outbox* outbox) override;
   bool finished() const override { return phase_ == Phase::kDone || phase_ == Phase::kFailed; }
 
+  // Before anything else: the picture goes on from what PixelSampling::Save gave. False where the
+  // bytes are no such state.
+  bool Restore(const std::string& state) { return sampling_->Restore(state); }
+
   // The runner has lost a trace process: the run fails with this text.
   void OnLost(ProcessId process, const std::string& why);
 

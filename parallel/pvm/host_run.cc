@@ -68,7 +68,7 @@ int HostRun::Run() {
     if (!RenderFrame(frame)) return status_ ? status_ : diagnostics_->exit_status();
     if (reports() && i + 1 < frames) ReportFrame(frame, CpuTimeUsed(), PeakBytes(), report());
   }
-  EndProcesses();
+  if (transport_) EndProcesses();
   stats().distribute_seconds += EndPhase();
 
   report_data_.Finish(run_);
@@ -100,6 +100,8 @@ bool HostRun::OpenReport() {
 // Returns false where the run ends here.
 bool HostRun::RenderFrame(int frame) {
   const std::string file = FrameFile(settings_, frame);
+  const Kept kept = options_.continue_picture ? LookForKept(file) : Kept::kRender;
+  if (kept != Kept::kRender) return kept == Kept::kComplete;
 
   // Build: what cannot work is found out before anything is started.
   spool_->Place(frame);
@@ -111,6 +113,7 @@ bool HostRun::RenderFrame(int frame) {
   if (!machine_) StartMachine();
   stats().distribute_seconds += EndPhase();
   HostProcess host(run_, spool_, frame);
+  if (options_.continue_picture) Restore(file, frame, &host);
   if (reports() && settings_.verbose) ReportScene(host, frame);
   stats().build_seconds += EndPhase();
   if (reports() && frame == settings_.first_frame) ReportStart(CpuTimeUsed(), report());
@@ -129,6 +132,27 @@ bool HostRun::RenderFrame(int frame) {
   if (file != "-") RemovePartial(file);
   stats().write_seconds += EndPhase();
   return true;
+}
+
+HostRun::Kept HostRun::LookForKept(const std::string& file) {
+  if (std::filesystem::exists(PartialFile(file))) return Kept::kRender;
+  if (std::filesystem::exists(file)) {
+    std::fprintf(stderr, "\"%s\" is a complete image.\n", file.c_str());
+    return Kept::kComplete;
+  }
+  if (settings_.frames > 1) return Kept::kRender;
+  diagnostics_->Report(Severity::kError, {}, "Cannot open image file " + file + ".");
+  return Kept::kStop;
+}
+
+void HostRun::Restore(const std::string& file, int frame, HostProcess* host) {
+  if (!std::filesystem::exists(PartialFile(file))) return;
+  const auto state = ReadPartial(file, PictureFingerprint(settings_, frame, spool_->size()));
+  if (!state || !host->Restore(*state))
+    throw std::runtime_error(PartialFile(file) + " is damaged.");
+  if (!reports()) return;
+  std::fprintf(report(), "Continuing \"%s\" at scanline #%d.\n", file.c_str(),
+               host->sampling().rows_done() + Camera(settings_, frame).window().miny);
 }
 
 void HostRun::ReportScene(const HostProcess& host, int frame) {
@@ -239,7 +263,7 @@ void HostRun::KeepPartial(const HostProcess& host, const std::string& file, int 
     return;
   }
   WritePartial(file, PictureFingerprint(settings_, frame, spool_->size()), host.sampling().Save());
-  std::fprintf(stderr, "%s: Interrupted after %d of %d rows; %s keeps them, rayshade -c goes on.\n",
+  std::fprintf(stderr, "%s: Interrupted after %d of %d rows; %s keeps them, -c goes on.\n",
                options_.program.c_str(), host.sampling().rows_done(),
                host.sampling().picture().height(), PartialFile(file).c_str());
 }

@@ -47,6 +47,10 @@ class HostRun : public LoopListener {
   bool CheckBeforehand();
   bool OpenReport();
   bool RenderFrame(int frame);
+  // Where -c was said: whether the frame needs no rendering, or the run cannot go on.
+  enum class Kept { kRender, kComplete, kStop };
+  Kept LookForKept(const std::string& file);
+  void Restore(const std::string& file, int frame, HostProcess* host);
   void ReportScene(const HostProcess& host, int frame);
   void StartMachine();
   void SpawnProcesses();

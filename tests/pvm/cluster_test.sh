@@ -39,9 +39,8 @@ lost_machine() {
   host=$!
   sleep 4
   $cluster cut "${ONE_BOX_NAME}2"
-  ( sleep 50; kill -9 $host 2>/dev/null ) & local guard=$!
+  waits 500 bash -c "! kill -0 $host 2>/dev/null" || kill -9 $host
   wait $host; status=$?
-  kill $guard 2>/dev/null
   [ $status = 1 ] && grep -q "nothing was heard from ${ONE_BOX_NAME}2" "$work/said" && [ ! -e "$work/b.png" ] ||
     { echo "status $status"; cat "$work/said"; return 1; }
 }

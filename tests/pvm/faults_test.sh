@@ -42,6 +42,28 @@ check "SIGINT ends the run with status 130" is 130
 check "and says what is kept" said 'Interrupted'
 check "there is no picture" no_picture
 check "nothing is left" nothing_is_left
+
+# What was finished is kept, and -c goes on from there to the very picture of an undisturbed run.
+grown="-S 1 -R 1200 1200"
+"$rayshade" -q $grown -O "$work/whole.png" "$work/long.ray"
+goes_on() { "$prayshade" -q -c --processes 2 $grown -O "$work/a.png" "$work/long.ray"; }
+for seconds in 0.3 0.6 1 1.5; do # until one of them falls between the first row and the last
+  rm -f "$work/a.png"
+  "$prayshade" -q --processes 2 $grown -O "$work/a.png" "$work/long.ray" >"$work/said" 2>&1 &
+  host=$!
+  waits 100 has_running prayshade-trace 2 && sleep $seconds
+  kill -TERM $host
+  end
+  [ ! -e "$work/a.png.partial" ] || break
+done
+if [ -e "$work/a.png.partial" ]; then
+  check "an interrupted picture goes on with -c" goes_on
+  check "to the picture of an undisturbed run" cmp "$work/whole.png" "$work/a.png"
+  check "and what was kept is gone" test ! -e "$work/a.png.partial"
+else
+  skip "an interrupted picture goes on with -c" "status $status: it was not interrupted between its rows"
+fi
+
 start
 kill -TERM $host
 end
