@@ -7,6 +7,8 @@
 #include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/select.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -19,7 +21,9 @@ namespace rayshade::parallel {
 
 namespace {
 
-constexpr int kPatienceMs = 2000;  // between asking to end and killing
+// Between asking to end and killing. A pvmd can hang in its own signal handlers (a SIGTERM within
+// its SIGPIPE's); what it would clean up lies in the folder, which goes as a whole.
+constexpr int kPatienceMs = 500;
 
 void SetSignals(void (*action)(int)) {
   for (const int s : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGQUIT}) signal(s, action);
@@ -35,11 +39,21 @@ void RedirectTo(const std::string& file) {
   }
 }
 
+// PVM waits by select, which knows 1024 descriptors; and pvmd closes all that there could be before
+// it starts a task.
+void LimitFiles() {
+  rlimit limit;
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur <= FD_SETSIZE) return;
+  limit.rlim_cur = FD_SETSIZE;
+  setrlimit(RLIMIT_NOFILE, &limit);
+}
+
 pid_t StartPvmd(const std::string& pvmd) {
   const pid_t child = fork();
   if (child != 0) return child;
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   SetSignals(SIG_DFL);
+  LimitFiles();
   execl(pvmd.c_str(), pvmd.c_str(), "-n127.0.0.1", static_cast<char*>(nullptr));
   std::perror(pvmd.c_str());
   _exit(127);
@@ -85,8 +99,8 @@ bool AllGoneWithin(int milliseconds) {
 
 void EndAll(pid_t pvmd) {
   if (pvmd > 0) kill(pvmd, SIGTERM);
-  for (int attempt = 0; !AllGoneWithin(attempt == 0 ? kPatienceMs : 500) && attempt < 8; ++attempt)
-    for (const pid_t child : Children()) kill(child, attempt == 0 ? SIGTERM : SIGKILL);
+  for (int attempt = 0; !AllGoneWithin(kPatienceMs) && attempt < 8; ++attempt)
+    for (const pid_t child : Children()) kill(child, SIGKILL);
 }
 
 }  // namespace

@@ -119,8 +119,10 @@ void PvmTransport::Send(ProcessId to, std::vector<uint8_t> bytes) {
     return;
   }
 
+  // A copy of a fragment costs less than sending its header by a call of its own, as in place.
   int length = static_cast<int>(bytes.size());
-  PvmCheck(pvm_initsend(raw_ ? PvmDataInPlace : PvmDataDefault), "pvm_initsend");
+  const int raw = length < kFragmentBytes ? PvmDataRaw : PvmDataInPlace;
+  PvmCheck(pvm_initsend(raw_ ? raw : PvmDataDefault), "pvm_initsend");
   if (!raw_) PvmCheck(pvm_pkint(&length, 1, 1), "pvm_pkint");
   PvmCheck(pvm_pkbyte(reinterpret_cast<char*>(bytes.data()), length, 1), "pvm_pkbyte");
   PvmCheck(pvm_send(tids_.at(to), kMessageTag + frame_), "pvm_send(" + count.name + ")");
