@@ -166,6 +166,23 @@ Hit CellTracer::Locate(const Ray& ray, double distance, Rank rank, OpCounts* cou
   return hit;
 }
 
+void CellTracer::LocateAll(std::span<const Ray> rays, std::span<const Travel> travel,
+                           std::span<Hit> hits, OpCounts* counts) {
+  for (size_t i = 0; i < rays.size(); ++i) {
+    hits[i] = Hit();
+    hits[i].distance = travel[i].best_distance;
+    hits[i].rank =
+        travel[i].best_rank + 1;  // the hit itself is the only one that comes before this
+  }
+  own_->Nearest(rays, hits, counts);
+  for (size_t i = 0; i < rays.size(); ++i) {
+    if (hits[i].distance == travel[i].best_distance && hits[i].rank == travel[i].best_rank)
+      continue;
+    hits[i] = Locate(rays[i], travel[i].best_distance, travel[i].best_rank, counts);
+    CHECK(hits[i].set != nullptr);
+  }
+}
+
 // The shadow rays against one set: the opaque objects in it block, the transparent ones are noted.
 void CellTracer::Cross(const ObjectSet& set, std::span<Shadow*> shadows, OpCounts* counts) {
   some_rays_.clear();

@@ -64,6 +64,11 @@ class CellTracer {
   // lies; set is null where that cell is not held.
   Hit Locate(const Ray& ray, double distance, Rank rank, OpCounts* counts);
 
+  // The same for hits that are known to be on objects held here: hits[i] for travel[i]'s best hit.
+  // CHECKs that they are.
+  void LocateAll(std::span<const Ray> rays, std::span<const Travel> travel, std::span<Hit> hits,
+                 OpCounts* counts);
+
   const Bounds& box(CellId cell) const { return boxes_[cell]; }
   uint64_t cache_hits() const { return cache_hits_; }
   uint64_t cache_misses() const { return cache_misses_; }

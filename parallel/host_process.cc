@@ -12,17 +12,19 @@
 
 namespace rayshade::parallel {
 
-// Objects on their way to one trace process.
+// Objects on their way to one trace process, encoded as they come: a parcel of a message Objects.
 struct HostProcess::Receiver {
-  ObjectParcel parcel;
+  std::vector<WirePlacement> placements;
+  std::vector<uint8_t> objects;
+  uint32_t count = 0;
   std::vector<bool> has_placement;  // by number in the run
   int untaken = 0;                  // messages sent and not yet reported as stored
 };
 
 namespace {
 
-constexpr size_t kObjectsPerParcel = 64;
-constexpr int kUntakenMax = 128;  // parcels on their way to one process
+constexpr size_t kParcelBytes = 12000;
+constexpr int kUntakenMax = 64;  // parcels on their way at once, to all processes together
 constexpr int kObjectsPerStep = 1024;
 
 // What one primary ray can occupy at once in all processes together: a pending intersection per
@@ -164,12 +166,15 @@ void HostProcess::On(ProcessId from, const Ready& message, Outbox*) {
 void HostProcess::On(ProcessId from, const WorkRequest&, Outbox*) { feed_->OnRequest(from); }
 
 void HostProcess::On(ProcessId, const PixelResults& message, Outbox*) {
-  for (const ResultItem& item : message.results) {
-    sampling_->Put(SampleOf(item.token), {item.color, item.distance, item.hit});
+  const size_t count = message.voids.size() + message.results.size();
+  if (count > in_flight_) throw WireError("more results than rays");
+  in_flight_ -= count;
+  samples_done_ += count;
+  const RayResult background{spool_->scene().settings.background, kFar, false};
+  for (uint64_t token : message.voids) sampling_->Put(SampleOf(token), background);
+  for (const PixelItem& item : message.results) {
+    sampling_->Put(SampleOf(item.token), {item.color, 0, item.hit});
   }
-  if (message.results.size() > in_flight_) throw WireError("more results than rays");
-  in_flight_ -= message.results.size();
-  samples_done_ += message.results.size();
 }
 
 void HostProcess::On(ProcessId from, const Statistics& message, Outbox*) {
@@ -218,21 +223,28 @@ void HostProcess::SendSetUp(Outbox* outbox) {
 
 void HostProcess::SendParcel(ProcessId to, Outbox* outbox) {
   Receiver& receiver = receivers_[to - 1];
-  if (receiver.parcel.objects.empty()) return;
-  outbox->Send(to, Encode(Objects{std::move(receiver.parcel)}));
-  receiver.parcel = {};
+  if (receiver.count == 0) return;
+  ByteWriter w;
+  w.Put(Objects::kTag);
+  w.Put(receiver.placements);
+  w.Put(receiver.count);
+  w.PutRaw(receiver.objects);
+  outbox->Send(to, std::move(w.bytes()));
+  receiver.placements.clear();
+  receiver.objects.clear();
+  receiver.count = 0;
   ++receiver.untaken;
+  ++untaken_;
 }
 
 // Objects go to the owners of the cells they touch, and to all where a cell is resident or where
 // they have no bounds.
 bool HostProcess::Distribute(Outbox* outbox) {
-  for (const Receiver& receiver : receivers_) {
-    if (receiver.untaken > kUntakenMax) return false;
-  }
+  if (untaken_ > kUntakenMax) return false;
   std::vector<uint8_t> wanted(options_.processes);
+  ByteWriter encoded;
+  SpooledObject object;
   for (int i = 0; i < kObjectsPerStep; ++i) {
-    SpooledObject object;
     if (!spool_->Next(true, &object)) {
       for (ProcessId p = 1; p <= options_.processes; ++p) {
         SendParcel(p, outbox);
@@ -248,17 +260,21 @@ bool HostProcess::Distribute(Outbox* outbox) {
         wanted[tree_.cell(c).owner - 1] = 1;
       });
     }
+    encoded.bytes().clear();
+    encoded.Put(object.object);
     for (ProcessId p = 1; p <= options_.processes; ++p) {
       if (!wanted[p - 1]) continue;
       Receiver& receiver = receivers_[p - 1];
       const uint32_t number = object.object.placement;
-      receiver.has_placement.resize(std::max<size_t>(receiver.has_placement.size(), number + 1));
+      if (number >= receiver.has_placement.size()) receiver.has_placement.resize(number + 1);
       if (!receiver.has_placement[number]) {
         receiver.has_placement[number] = true;
-        receiver.parcel.placements.push_back({number, spool_->placement(number)});
+        receiver.placements.push_back({number, spool_->placement(number)});
       }
-      receiver.parcel.objects.push_back(object.object);
-      if (receiver.parcel.objects.size() >= kObjectsPerParcel) SendParcel(p, outbox);
+      receiver.objects.insert(receiver.objects.end(), encoded.bytes().begin(),
+                              encoded.bytes().end());
+      ++receiver.count;
+      if (receiver.objects.size() >= kParcelBytes) SendParcel(p, outbox);
     }
   }
   return true;

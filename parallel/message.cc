@@ -1,8 +1,6 @@
 // Tags, names and the printed catalogue; see message.h.
 #include "parallel/message.h"
 
-#include <set>
-
 namespace rayshade::parallel {
 
 namespace {
@@ -36,22 +34,6 @@ const char* NameOf(Tag tag) {
     if (Message::kTag == tag) name = Message::kName;
   });
   return name;
-}
-
-uint64_t TokenOf(const Sample& sample) {
-  return static_cast<uint64_t>(static_cast<uint32_t>(sample.x) & 0xffffff) |
-         static_cast<uint64_t>(static_cast<uint32_t>(sample.y) & 0xffffff) << 24 |
-         static_cast<uint64_t>(sample.sub_cell & 0xff) << 48 |
-         static_cast<uint64_t>(sample.single) << 56;
-}
-
-Sample SampleOf(uint64_t token) {
-  Sample s;
-  s.x = static_cast<int32_t>(token & 0xffffff);
-  s.y = static_cast<int32_t>(token >> 24 & 0xffffff);
-  s.sub_cell = static_cast<uint16_t>(token >> 48 & 0xff);
-  s.single = (token >> 56 & 1) != 0;
-  return s;
 }
 
 std::string CatalogueText() {

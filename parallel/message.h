@@ -57,8 +57,16 @@ struct ReturnAddress {
 };
 
 // A sample as the token of its return address, and back.
-uint64_t TokenOf(const Sample& sample);
-Sample SampleOf(uint64_t token);
+inline uint64_t TokenOf(const Sample& sample) {
+  return static_cast<uint64_t>(static_cast<uint32_t>(sample.x) & 0xffffff) |
+         static_cast<uint64_t>(static_cast<uint32_t>(sample.y) & 0xffffff) << 24 |
+         static_cast<uint64_t>(sample.sub_cell & 0xff) << 48 |
+         static_cast<uint64_t>(sample.single) << 56;
+}
+inline Sample SampleOf(uint64_t token) {
+  return {static_cast<int32_t>(token & 0xffffff), static_cast<int32_t>(token >> 24 & 0xffffff),
+          static_cast<uint16_t>(token >> 48 & 0xff), (token >> 56 & 1) != 0};
+}
 
 // The part of a ray's state that is not the ray: how far it has been traced, and the best hit so
 // far.
@@ -75,6 +83,40 @@ struct Travel {
     a("resume", resume);
     a("best_distance", best_distance);
     a("best_rank", best_rank);
+  }
+};
+
+// A primary ray on its way: it is a pure function of its sample, so the sample stands for it.
+struct PrimaryTravel {
+  uint64_t token = 0;  // of its return address at the host
+  CellId resume = kNoCell;
+  double best_distance = kFar;
+  Rank best_rank = kNoRank;
+
+  template <class A>
+  void Fields(A& a) {
+    a("token", token);
+    a("resume", resume);
+    a("best_distance", best_distance);
+    a("best_rank", best_rank);
+  }
+};
+
+// Rays on their way between processes: primary ones by their samples, all others with everything
+// that they are.
+struct TravellingRays {
+  std::vector<PrimaryTravel> primary;
+  RayBundle bundle;
+  std::vector<Travel> travel;  // one for each ray of the bundle
+
+  template <class A>
+  void Fields(A& a) {
+    a("primary", primary);
+    a("bundle", bundle);
+    a("travel", travel);
+    if constexpr (A::kReading) {
+      if (travel.size() != bundle.size()) throw WireError("rays and their travel differ in number");
+    }
   }
 };
 
@@ -209,37 +251,15 @@ struct PrimaryRays {
   }
 };
 
-struct RayTask {
+struct RayTask : TravellingRays {
   RAYSHADE_MESSAGE(RayTask, "host, trace", "trace", "RJ s.2",
                    "Rays that go on in a cell of the receiver's, with their best hits so far.");
-  RayBundle bundle;
-  std::vector<Travel> travel;  // one for each ray
-
-  template <class A>
-  void Fields(A& a) {
-    a("bundle", bundle);
-    a("travel", travel);
-    if constexpr (A::kReading) {
-      if (travel.size() != bundle.size()) throw WireError("rays and their travel differ in number");
-    }
-  }
 };
 
-struct IntersectionTask {
+struct IntersectionTask : TravellingRays {
   RAYSHADE_MESSAGE(IntersectionTask, "trace", "trace", "RJ s.4",
                    "Hits for the process that keeps the object: it spawns, gathers and shades. "
                    "Best hit = the hit.");
-  RayBundle bundle;
-  std::vector<Travel> travel;
-
-  template <class A>
-  void Fields(A& a) {
-    a("bundle", bundle);
-    a("travel", travel);
-    if constexpr (A::kReading) {
-      if (travel.size() != bundle.size()) throw WireError("rays and their travel differ in number");
-    }
-  }
 };
 
 // One finished ray.
@@ -269,13 +289,30 @@ struct RayResults {
   }
 };
 
-struct PixelResults {
-  RAYSHADE_MESSAGE(PixelResults, "trace", "host", "RJ s.2, s.4",
-                   "Results of primary rays, hits and voids alike.");
-  std::vector<ResultItem> results;
+// A finished primary ray that hit something, or that the air has coloured.
+struct PixelItem {
+  uint64_t token = 0;
+  Color color;
+  bool hit = false;
 
   template <class A>
   void Fields(A& a) {
+    a("token", token);
+    a("color", color);
+    a("hit", hit);
+  }
+};
+
+struct PixelResults {
+  RAYSHADE_MESSAGE(
+      PixelResults, "trace", "host", "RJ s.2, s.4",
+      "Results of primary rays. Voids, which show the background, are told by their tokens alone.");
+  std::vector<uint64_t> voids;
+  std::vector<PixelItem> results;
+
+  template <class A>
+  void Fields(A& a) {
+    a("voids", voids);
     a("results", results);
   }
 };

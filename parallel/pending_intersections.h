@@ -3,24 +3,23 @@
 //
 //   1. A slot exists since its ray was spawned: a result always finds its place.
 //   2. The transmitted ray is finished before the reflected one starts, so that one primary ray has
-//   one ray on its
-//      way at any time, and at most one pending intersection per level.
+//   one ray on its way at any time, and at most one pending intersection per level.
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <deque>
 #include <vector>
 
 #include "parallel/message.h"
-#include "rayshade/common/check.h"
 #include "rayshade/shade/shade.h"
 
 namespace rayshade::parallel {
 
 struct PendingIntersection {
+  bool in_use = false;
+  bool in_air = true;
   ReturnAddress back;
   Ray ray;  // that was shaded
-  bool in_air = true;
   double distance = 0;
   Color lights;
   Secondary secondary;
@@ -30,32 +29,33 @@ struct PendingIntersection {
 
 class PendingIntersections {
  public:
-  uint32_t Add(PendingIntersection&& pending) {
+  // A free slot, now in use; what stands in it is left over. Slots never move.
+  uint32_t Allocate() {
     if (free_.empty()) {
-      slots_.emplace_back(std::move(pending));
-      return static_cast<uint32_t>(slots_.size() - 1);
+      free_.push_back(static_cast<uint32_t>(slots_.size()));
+      slots_.emplace_back();
     }
     const uint32_t slot = free_.back();
     free_.pop_back();
-    slots_[slot] = std::move(pending);
+    slots_[slot].in_use = true;
     return slot;
   }
-  // A token that no pending intersection has is a WireError: it came in a message.
+  // A slot that is not in use is a WireError: its number came in a message.
   PendingIntersection& at(uint64_t slot) {
-    if (slot >= slots_.size() || !slots_[slot]) throw WireError("a result for no intersection");
-    return *slots_[slot];
+    if (slot >= slots_.size() || !slots_[slot].in_use) {
+      throw WireError("a result for no intersection");
+    }
+    return slots_[slot];
   }
-  PendingIntersection Take(uint64_t slot) {
-    PendingIntersection pending = std::move(at(slot));
-    slots_[slot].reset();
+  void Free(uint64_t slot) {
+    at(slot).in_use = false;
     free_.push_back(static_cast<uint32_t>(slot));
-    return pending;
   }
   size_t size() const { return slots_.size() - free_.size(); }
-  size_t bytes() const { return size() * sizeof(slots_[0]); }
+  size_t bytes() const { return slots_.size() * sizeof(PendingIntersection); }
 
  private:
-  std::vector<std::optional<PendingIntersection>> slots_;
+  std::deque<PendingIntersection> slots_;
   std::vector<uint32_t> free_;
 };
 

@@ -1,68 +1,102 @@
 // Packing; see ray_packer.h.
 #include "parallel/ray_packer.h"
 
+#include <utility>
+
 namespace rayshade::parallel {
 
 namespace {
 
-// What fits into one fragment of PVM (4080 bytes): a ray takes about 130 bytes, a result 41.
-constexpr size_t kRaysPerPack = 30;
-constexpr size_t kResultsPerPack = 98;
+// A pack is full at about so many bytes: four fragments of PVM.
+constexpr size_t kPackBytes = 16000;
+// What things take in a message, about.
+constexpr size_t kPrimaryBytes = 24, kRayBytes = 131, kMediumBytes = 16;
+constexpr size_t kResultBytes = 41, kPixelBytes = 33, kVoidBytes = 8;
 
 }  // namespace
 
-template <class Message>
-void RayPacker::SendRays(ProcessId to, RayQueue* rays, Outbox* outbox) {
-  Message message;
-  message.bundle = std::move(rays->bundle);
-  message.travel = std::move(rays->travel);
-  outbox->Send(to, Encode(message));
-  rays->clear();
+void RayPacker::Add(const Ray& ray, std::span<const Medium> media, const Travel& travel,
+                    Rays* rays) {
+  TravellingRays& content = rays->content;
+  if (ray.kind == RayKind::kPrimary) {
+    content.primary.push_back(
+        {travel.back.token, travel.resume, travel.best_distance, travel.best_rank});
+    rays->bytes += kPrimaryBytes;
+    return;
+  }
+  Ray copy = ray;
+  copy.media_begin = static_cast<uint32_t>(content.bundle.media.size());
+  content.bundle.media.insert(content.bundle.media.end(), media.begin(), media.end());
+  content.bundle.rays.push_back(copy);
+  content.travel.push_back(travel);
+  rays->bytes += kRayBytes + media.size() * kMediumBytes;
 }
 
-void RayPacker::SendResults(ProcessId to, Pack* pack, Outbox* outbox) {
-  if (to == kHost) {
-    outbox->Send(to, Encode(PixelResults{std::move(pack->results)}));
-  } else {
-    outbox->Send(to, Encode(RayResults{std::move(pack->results)}));
-  }
-  pack->results.clear();
+template <class Message>
+void RayPacker::SendRays(ProcessId to, Rays* rays, Outbox* outbox) {
+  if (rays->bytes == 0) return;
+  Message message;
+  static_cast<TravellingRays&>(message) = std::exchange(rays->content, {});
+  rays->bytes = 0;
+  outbox->Send(to, Encode(message));
+}
+
+void RayPacker::SendPixels(Outbox* outbox) {
+  if (pixels_.voids.empty() && pixels_.results.empty()) return;
+  outbox->Send(kHost, Encode(pixels_));
+  pixels_.voids.clear();
+  pixels_.results.clear();
 }
 
 void RayPacker::AddRay(ProcessId to, const Ray& ray, std::span<const Medium> media,
                        const Travel& travel, Outbox* outbox) {
-  RayQueue& rays = packs_[to].rays;
-  rays.Push(ray, media, travel);
-  if (rays.size() >= kRaysPerPack) SendRays<RayTask>(to, &rays, outbox);
+  Rays& rays = packs_[to].rays;
+  Add(ray, media, travel, &rays);
+  if (rays.bytes >= kPackBytes) SendRays<RayTask>(to, &rays, outbox);
 }
 
 void RayPacker::AddIntersection(ProcessId to, const Ray& ray, std::span<const Medium> media,
                                 const Travel& travel, Outbox* outbox) {
-  RayQueue& rays = packs_[to].intersections;
-  rays.Push(ray, media, travel);
-  if (rays.size() >= kRaysPerPack) SendRays<IntersectionTask>(to, &rays, outbox);
+  Rays& rays = packs_[to].intersections;
+  Add(ray, media, travel, &rays);
+  if (rays.bytes >= kPackBytes) SendRays<IntersectionTask>(to, &rays, outbox);
 }
 
 void RayPacker::AddResult(ProcessId to, const ResultItem& result, Outbox* outbox) {
-  Pack& pack = packs_[to];
-  pack.results.push_back(result);
-  if (pack.results.size() >= kResultsPerPack) SendResults(to, &pack, outbox);
+  std::vector<ResultItem>& results = packs_[to].results;
+  results.push_back(result);
+  if (results.size() * kResultBytes < kPackBytes) return;
+  outbox->Send(to, Encode(RayResults{std::exchange(results, {})}));
+}
+
+void RayPacker::AddPixel(const PixelItem& pixel, Outbox* outbox) {
+  pixels_.results.push_back(pixel);
+  if (pixels_.results.size() * kPixelBytes >= kPackBytes) SendPixels(outbox);
+}
+
+void RayPacker::AddVoid(uint64_t token, Outbox* outbox) {
+  pixels_.voids.push_back(token);
+  if (pixels_.voids.size() * kVoidBytes >= kPackBytes) SendPixels(outbox);
 }
 
 void RayPacker::Flush(Outbox* outbox) {
   for (size_t i = 0; i < packs_.size(); ++i) {
     const ProcessId to = static_cast<ProcessId>(i);
     Pack& pack = packs_[i];
-    if (!pack.rays.empty()) SendRays<RayTask>(to, &pack.rays, outbox);
-    if (!pack.intersections.empty()) SendRays<IntersectionTask>(to, &pack.intersections, outbox);
-    if (!pack.results.empty()) SendResults(to, &pack, outbox);
+    SendRays<RayTask>(to, &pack.rays, outbox);
+    SendRays<IntersectionTask>(to, &pack.intersections, outbox);
+    if (!pack.results.empty()) {
+      outbox->Send(to, Encode(RayResults{std::exchange(pack.results, {})}));
+    }
   }
+  SendPixels(outbox);
 }
 
 size_t RayPacker::bytes() const {
-  size_t bytes = packs_.size() * sizeof(Pack);
+  size_t bytes = packs_.size() * sizeof(Pack) + pixels_.voids.capacity() * sizeof(uint64_t) +
+                 pixels_.results.capacity() * sizeof(PixelItem);
   for (const Pack& p : packs_) {
-    bytes += p.rays.bytes() + p.intersections.bytes() + p.results.size() * sizeof(ResultItem);
+    bytes += 2 * (p.rays.bytes + p.intersections.bytes) + p.results.capacity() * sizeof(ResultItem);
   }
   return bytes;
 }

@@ -1,13 +1,13 @@
-// Packs rays and results per receiver: a message of 4 kB costs what a message of one ray costs. A
-// pack is sent when it is full, and all are sent when the process has nothing else to do or has
-// worked for a while.
+// Packs rays and results per receiver: a message of a few kilobytes costs what a message of one ray
+// costs. A pack is sent when it is full, and all are sent when the process has nothing else to do
+// or has worked for a while.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "parallel/message.h"
 #include "parallel/process.h"
-#include "parallel/ray_queue.h"
 
 namespace rayshade::parallel {
 
@@ -20,21 +20,30 @@ class RayPacker {
               Outbox* outbox);
   void AddIntersection(ProcessId to, const Ray& ray, std::span<const Medium> media,
                        const Travel& travel, Outbox* outbox);
-  // To the host: pixels; to a trace process: results of secondary rays.
+  // Results of secondary rays, to their spawners.
   void AddResult(ProcessId to, const ResultItem& result, Outbox* outbox);
+  // Results of primary rays, to the host.
+  void AddPixel(const PixelItem& pixel, Outbox* outbox);
+  void AddVoid(uint64_t token, Outbox* outbox);
   void Flush(Outbox* outbox);
   size_t bytes() const;
 
  private:
+  struct Rays {
+    TravellingRays content;
+    size_t bytes = 0;  // when encoded, about
+  };
   struct Pack {
-    RayQueue rays, intersections;
+    Rays rays, intersections;
     std::vector<ResultItem> results;
   };
+  static void Add(const Ray& ray, std::span<const Medium> media, const Travel& travel, Rays* rays);
   template <class Message>
-  static void SendRays(ProcessId to, RayQueue* rays, Outbox* outbox);
-  static void SendResults(ProcessId to, Pack* pack, Outbox* outbox);
+  static void SendRays(ProcessId to, Rays* rays, Outbox* outbox);
+  void SendPixels(Outbox* outbox);
 
   std::vector<Pack> packs_;  // by receiver
+  PixelResults pixels_;
 };
 
 }  // namespace rayshade::parallel

@@ -1,4 +1,4 @@
-// Rays with their media and their travel, last in, first out; also the content of a RayTask.
+// Rays with their media and their travel, last in, first out.
 #pragma once
 
 #include <span>

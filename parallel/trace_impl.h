@@ -61,6 +61,7 @@ struct TraceProcess::Impl {
   void On(ProcessId from, RayTask& message, Outbox* outbox);
   void On(ProcessId from, IntersectionTask& message, Outbox* outbox);
   void On(ProcessId from, RayResults& message, Outbox* outbox);
+  void Unpack(const TravellingRays& rays, RayQueue* queue) const;
   void On(ProcessId from, CellRequest& message, Outbox* outbox);
   void On(ProcessId from, CellReply& message, Outbox* outbox);
   void On(ProcessId from, Stop& message, Outbox* outbox);
@@ -74,6 +75,7 @@ struct TraceProcess::Impl {
 
   // trace_rays.cc
   void TraceStep(RayQueue* rays, Outbox* outbox);
+  void Miss(const Ray& ray, const ReturnAddress& back, Outbox* outbox);
   void OnHit(const RayQueue& rays, size_t i, const Hit& hit, Outbox* outbox);
   void TakeCell(CellReply&& reply, Outbox* outbox);
   void LocateHits(const RayQueue& rays);
@@ -91,7 +93,7 @@ struct TraceProcess::Impl {
            std::span<const ShadowRay> shadows, std::span<const uint8_t> arrived,
            const ReturnAddress& back, Outbox* outbox);
   void Launch(const RayBundle& one, const ReturnAddress& back);
-  void Deliver(const ReturnAddress& back, const RayResult& result, Outbox* outbox);
+  void Deliver(const ReturnAddress& back, RayKind kind, const RayResult& result, Outbox* outbox);
   void TakeResult(uint64_t token, const RayResult& result, Outbox* outbox);
 
   const Meter* meter;
@@ -136,6 +138,8 @@ struct TraceProcess::Impl {
   std::vector<CellId> halted;  // by shadow; kNoCell: decided
 
   // Scratch of a step.
+  RayBundle transmitted, reflected;
+  HitPath path;
   std::vector<Hit> hits;
   std::vector<Halt> halts;
 

@@ -142,25 +142,43 @@ void TraceProcess::Impl::On(ProcessId, PrimaryRays& message, Outbox*) {
   }
 }
 
-void TraceProcess::Impl::On(ProcessId from, RayTask& message, Outbox*) {
-  const RayQueue rays{std::move(message.bundle), std::move(message.travel)};
-  for (size_t i = 0; i < rays.size(); ++i) {
-    if (rays.travel[i].resume != kNoCell && rays.travel[i].resume >= tree.size()) {
+// Appends the rays of a message to a queue; primary rays are made again from their samples.
+void TraceProcess::Impl::Unpack(const TravellingRays& rays, RayQueue* to) const {
+  const auto check = [this](const Travel& travel) {
+    if (travel.resume != kNoCell && travel.resume >= tree.size()) {
       throw WireError("a ray that goes on in no cell");
     }
-    if (rays.travel[i].back.process > options.processes) throw WireError("a ray of no process");
-    if (from == kHost) ++counts.primary_rays;
+    if (travel.back.process > options.processes) throw WireError("a ray of no process");
+  };
+  for (const PrimaryTravel& p : rays.primary) {
+    Travel travel;
+    travel.back = {kHost, p.token};
+    travel.resume = p.resume;
+    travel.best_distance = p.best_distance;
+    travel.best_rank = p.best_rank;
+    check(travel);
+    to->Push(camera->PrimaryRay(SampleOf(p.token)), {}, travel);
+  }
+  for (size_t i = 0; i < rays.bundle.size(); ++i) {
+    const Ray& ray = rays.bundle.rays[i];
+    check(rays.travel[i]);
+    to->Push(ray, std::span(rays.bundle.media).subspan(ray.media_begin, ray.media_count),
+             rays.travel[i]);
+  }
+}
+
+void TraceProcess::Impl::On(ProcessId from, RayTask& message, Outbox*) {
+  RayQueue rays;
+  Unpack(message, &rays);
+  for (size_t i = 0; i < rays.size(); ++i) {
     queue.Push(rays.bundle.rays[i], rays.media(i), rays.travel[i]);
   }
   statistics.data_rays += rays.size();
+  if (from == kHost) counts.primary_rays += rays.size();
 }
 
 void TraceProcess::Impl::On(ProcessId, IntersectionTask& message, Outbox*) {
-  const RayQueue rays{std::move(message.bundle), std::move(message.travel)};
-  for (size_t i = 0; i < rays.size(); ++i) {
-    if (rays.travel[i].back.process > options.processes) throw WireError("a hit of no process");
-    transferred.Push(rays.bundle.rays[i], rays.media(i), rays.travel[i]);
-  }
+  Unpack(message, &transferred);
 }
 
 void TraceProcess::Impl::On(ProcessId, RayResults& message, Outbox* outbox) {

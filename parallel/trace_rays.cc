@@ -31,8 +31,19 @@ void TraceProcess::Impl::TraceStep(RayQueue* rays, Outbox* outbox) {
     } else if (hits[i].found()) {
       OnHit(*rays, i, hits[i], outbox);
     } else {
-      Deliver(travel.back, ShadeMiss(*scene, ray, ray.media_count == 0), outbox);
+      Miss(ray, travel.back, outbox);
     }
+  }
+}
+
+// "When no intersection is found during demand-driven tracing of primary rays, this result is
+// returned directly to the host process" [RJ s.4]; where the air does nothing, the host knows the
+// colour.
+void TraceProcess::Impl::Miss(const Ray& ray, const ReturnAddress& back, Outbox* outbox) {
+  if (ray.kind == RayKind::kPrimary && scene->spec.atmosphere.effects.empty()) {
+    packer->AddVoid(back.token, outbox);
+  } else {
+    Deliver(back, ray.kind, ShadeMiss(*scene, ray, ray.media_count == 0), outbox);
   }
 }
 
@@ -65,20 +76,18 @@ void TraceProcess::Impl::OnHit(const RayQueue& rays, size_t i, const Hit& found,
   }
   batch.Push(ray, rays.media(i), rays.travel[i]);
   distances.push_back(hit.distance);
-  ResolveHit(*scene, ray, hit, &resolved.emplace_back());
+  ResolveHit(*scene, ray, hit, &path, &resolved.emplace_back());
 }
 
 // Hits known by distance and rank: found by other processes on objects of this one, or met in a
 // cell that was dropped since.
 void TraceProcess::Impl::LocateHits(const RayQueue& rays) {
+  hits.resize(rays.size());
+  tracer->LocateAll(rays.bundle.rays, rays.travel, hits, &counts);
   for (size_t i = 0; i < rays.size(); ++i) {
-    const Ray& ray = rays.bundle.rays[i];
-    const Hit hit =
-        tracer->Locate(ray, rays.travel[i].best_distance, rays.travel[i].best_rank, &counts);
-    CHECK(hit.set != nullptr);
-    batch.Push(ray, rays.media(i), rays.travel[i]);
-    distances.push_back(hit.distance);
-    ResolveHit(*scene, ray, hit, &resolved.emplace_back());
+    batch.Push(rays.bundle.rays[i], rays.media(i), rays.travel[i]);
+    distances.push_back(hits[i].distance);
+    ResolveHit(*scene, rays.bundle.rays[i], hits[i], &path, &resolved.emplace_back());
   }
 }
 

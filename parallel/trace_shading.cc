@@ -142,23 +142,32 @@ void TraceProcess::Impl::Lit(const Ray& ray, std::span<const Medium> media, doub
                              const SurfaceHit& hit, std::span<const ShadowRay> of_hit,
                              std::span<const uint8_t> of_hit_arrived, const ReturnAddress& back,
                              Outbox* outbox) {
-  PendingIntersection p;
-  p.lights = ShadeLights(*scene, ray, hit, of_hit, of_hit_arrived);
+  const Color lights = ShadeLights(*scene, ray, hit, of_hit, of_hit_arrived);
   ++counts.shades;
-  p.in_air = media.empty();
-  RayBundle transmitted;
-  p.secondary = SpawnSecondary(*scene, ray, media, hit, &transmitted, &p.waiting);
-  if (transmitted.empty() && p.waiting.empty()) {
-    Deliver(back, Shade(*scene, ray, p.in_air, distance, p.lights, p.secondary, {}, {}), outbox);
+  transmitted.clear();
+  reflected.clear();
+  Secondary secondary;
+  SpawnSecondary(*scene, ray, media, hit, &transmitted, &reflected, &secondary);
+  if (transmitted.empty() && reflected.empty()) {
+    Deliver(back, ray.kind, Shade(*scene, ray, media.empty(), distance, lights, secondary, {}, {}),
+            outbox);
     return;
   }
+  const uint64_t slot = pending.Allocate();
+  PendingIntersection& p = pending.at(slot);
+  p.in_air = media.empty();
   p.back = back;
   p.ray = ray;
   p.distance = distance;
-  const RayBundle first =
-      transmitted.empty() ? std::exchange(p.waiting, {}) : std::move(transmitted);
-  const uint64_t which = first.rays[0].kind == RayKind::kReflected;
-  Launch(first, {self, uint64_t{pending.Add(std::move(p))} << 1 | which});
+  p.lights = lights;
+  p.secondary = secondary;
+  p.waiting.clear();
+  if (transmitted.empty()) {
+    Launch(reflected, {self, slot << 1 | 1});
+    return;
+  }
+  if (!reflected.empty()) p.waiting = reflected;
+  Launch(transmitted, {self, slot << 1});
 }
 
 // A secondary ray starts here, where it was spawned.
@@ -175,9 +184,11 @@ void TraceProcess::Impl::Launch(const RayBundle& one, const ReturnAddress& back)
   queue.Push(ray, std::span(one.media).subspan(ray.media_begin, ray.media_count), travel);
 }
 
-void TraceProcess::Impl::Deliver(const ReturnAddress& back, const RayResult& result,
+void TraceProcess::Impl::Deliver(const ReturnAddress& back, RayKind kind, const RayResult& result,
                                  Outbox* outbox) {
-  if (back.process == self) {
+  if (kind == RayKind::kPrimary) {
+    packer->AddPixel({back.token, result.color, result.hit}, outbox);
+  } else if (back.process == self) {
     TakeResult(back.token, result, outbox);
   } else {
     packer->AddResult(back.process, {back.token, result.color, result.distance, result.hit},
@@ -191,15 +202,16 @@ void TraceProcess::Impl::TakeResult(uint64_t token, const RayResult& result, Out
   PendingIntersection& p = pending.at(slot);
   ((token & 1) == 0 ? p.transmitted : p.reflected) = result;
   if (!p.waiting.empty()) {
-    const RayBundle reflected = std::exchange(p.waiting, {});
-    Launch(reflected, {self, slot << 1 | 1});
+    Launch(p.waiting, {self, slot << 1 | 1});
+    p.waiting.clear();
     return;
   }
-  const PendingIntersection done = pending.Take(slot);
-  Deliver(done.back,
-          Shade(*scene, done.ray, done.in_air, done.distance, done.lights, done.secondary,
-                done.transmitted, done.reflected),
-          outbox);
+  const RayResult shaded =
+      Shade(*scene, p.ray, p.in_air, p.distance, p.lights, p.secondary, p.transmitted, p.reflected);
+  const ReturnAddress back = p.back;
+  const RayKind kind = p.ray.kind;
+  pending.Free(slot);
+  Deliver(back, kind, shaded, outbox);
 }
 
 }  // namespace rayshade::parallel

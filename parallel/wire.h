@@ -95,6 +95,9 @@ class ByteWriter {
     }
   }
 
+  // Bytes that are encoded already.
+  void PutRaw(const std::vector<uint8_t>& encoded) { Append(encoded.data(), encoded.size()); }
+
   size_t size() const { return bytes_.size(); }
   std::vector<uint8_t>& bytes() { return bytes_; }
 

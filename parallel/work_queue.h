@@ -19,7 +19,7 @@ inline bool TransfersHits(Schedule schedule) { return schedule != Schedule::kDem
 inline bool AsksForWork(Schedule schedule) { return schedule != Schedule::kDataParallel; }
 
 // Most rays traced in one step; small enough that arriving messages do not wait long.
-inline constexpr size_t kRaysPerStep = 256;
+inline constexpr size_t kRaysPerStep = 512;
 // Requests for primary rays that may be unanswered at once: one pyramid in work, one on its way.
 inline constexpr int kRequestsAhead = 2;
 // Requests for cells that may be unanswered at once.

@@ -21,8 +21,14 @@ Message Example() {
     message.bundle.media = {{1.5, .9}, {1.1, .8}};
     message.travel.resize(2);
   }
-  if constexpr (requires { message.results; })
+  if constexpr (requires { message.primary; })
+    message.primary = {{7, 3, 1.5, 9}, {8, kNoCell, kFar, kNoRank}};
+  if constexpr (requires { message.voids; }) {
+    message.voids = {1, 2, 3};
+    message.results = {{7, {1, 2, 3}, true}, {8, {}, false}};
+  } else if constexpr (requires { message.results; }) {
     message.results = {{7, {1, 2, 3}, 4, true}, {8, {}, 1e14, false}};
+  }
   if constexpr (requires { message.samples; })
     message.samples = {{1, 2, 3, true}, {4, 5, 6, false}};
   if constexpr (requires { message.sent; }) message.sent = {{"RayTask", 3, 4}};
