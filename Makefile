@@ -44,7 +44,7 @@ PROGRAMS := $(BUILD)/rayshade $(patsubst scenes/%.cc,$(BUILD)/%,$(wildcard scene
   $(if $(wildcard parallel/pvm/trace_main.cc),$(BUILD)/prayshade-trace) \
   $(if $(wildcard parallel/sim/sim_main.cc),$(BUILD)/prayshade-sim)
 
-.PHONY: all deps demo test reference lint help clean
+.PHONY: all deps demo test reference doc lint help clean
 all: $(PROGRAMS)
 
 help:
@@ -52,6 +52,7 @@ help:
 	@echo "make demo       build, render the balls by every schedule on a private virtual machine, print a table"
 	@echo "make test       build and run every test"
 	@echo "make reference  compare with the pictures of the original program"
+	@echo "make doc        print doc/messages.md from the catalogue of messages"
 	@echo "make lint       who includes whom, and the format"
 	@echo "make deps       install what is missing for all of this (apt-get; root or sudo)"
 	@echo "make clean      remove build/"
@@ -119,6 +120,11 @@ reference: $(BUILD)/compare_reference $(BUILD)/rayshade
 	@mkdir -p $(BUILD)/reference
 	@$(BUILD)/compare_reference $(abspath $(BUILD)/rayshade) $(abspath $(REFERENCE)) \
 	  $(abspath $(BUILD)/reference) --seeds $(SEEDS) $(SCENES)
+
+$(BUILD)/print_messages: $(OBJ)/tests/parallel/print_messages_main.o $(PARALLEL_LIB) $(CORE_LIB)
+	$(LINK)
+doc: $(BUILD)/print_messages
+	$(BUILD)/print_messages > doc/messages.md
 
 lint:
 	@tests/support/lint.sh
