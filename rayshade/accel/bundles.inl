@@ -10,57 +10,46 @@ struct BundleEntry {
 
 // Wider pyramids (by slope) are divided, or their rays traced one by one.
 constexpr float kWidestBundle = 0.5f;
-constexpr float kWidestShadowBundle = 0.04f;
-constexpr float kWidestGroup = 0.02f;
-
-// One sphere against the eight rays of a group: the very operations of IntersectSphere.
-RAYSHADE_KERNEL uint32_t MeetSphere(const Bundle& b, int g, D8 x, D8 y, D8 z, D8 radius,
-                                    D8* distance) {
-  const D8 dx = LoadD(b.d[0][g]), dy = LoadD(b.d[1][g]), dz = LoadD(b.d[2][g]);
-  const D8 cx = x - LoadD(b.o[0][g]), cy = y - LoadD(b.o[1][g]), cz = z - LoadD(b.o[2][g]);
-  const D8 c = cx * dx + cy * dy + cz * dz;
-  const D8 px = cx - c * dx, py = cy - c * dy, pz = cz - c * dz;
-  const D8 discriminant = radius * radius - (px * px + py * py + pz * pz);
-  const uint32_t real = LessEqual(SetD(0), discriminant);
-  if (real == 0) return 0;
-  const D8 root = Sqrt(discriminant);
-  const D8 first = c - root, second = c + root, least = LoadD(b.least[g]);
-  const D8 s = Choose(Less(least, first), first, second);
-  *distance = s;
-  return real & Less(least, s) & LessEqual(s, LoadD(b.best[g])) & Less(s, LoadD(b.strict[g]));
-}
+constexpr float kWidestShadowBundle = 0.08f;
+constexpr float kWidestGroup = 0.08f;
+// Work that a bundle may be for each of its groups.
+constexpr int kNearestPatience = 100;
+constexpr int kBlockPatience = 60;
+constexpr int kLoneGroupPatience = 30;
 
 RAYSHADE_KERNEL bool BundleHitCounts(const TraceView& view, const Bundle& b, int ray,
-                                     double distance, uint32_t object) {
-  return distance <= kSureDistance ||
-         view.callbacks.meets_box(view.set, b.rays[ray], object, distance);
+                                     double distance, const LeafObject& o) {
+  if (distance <= kSureDistance && !o.box_decides) return true;
+  return view.callbacks.meets_box(view.set, b.rays[ray], o.object, distance);
 }
 
 // Returns whether a best distance changed.
-RAYSHADE_KERNEL bool TakeNearest(const TraceView& view, Bundle* b, int g, uint32_t bits,
-                                 D8 distances, uint32_t object, Hit* hits) {
+RAYSHADE_KERNEL bool TakeNearest(const TraceView& view, Bundle* b, int g, const Met& met,
+                                 const LeafObject& o, Hit* hits) {
   alignas(64) double at[8];
-  Store(distances, at);
-  const uint32_t rank = view.keys[object].rank;
+  Store(met.distance, at);
+  const uint32_t rank = view.keys[o.object].rank;
   bool changed = false;
-  for (; bits != 0; bits &= bits - 1) {
+  for (uint32_t bits = met.hit; bits != 0; bits &= bits - 1) {
     const int lane = __builtin_ctz(bits), ray = 8 * g + lane;
     Hit& hit = hits[ray];
     if (at[lane] == hit.distance && rank >= hit.rank) continue;
-    if (!BundleHitCounts(view, *b, ray, at[lane], object)) continue;
+    if (!BundleHitCounts(view, *b, ray, at[lane], o)) continue;
     hit.distance = b->best[g][lane] = at[lane];
     hit.rank = rank;
-    hit.object = object;
+    hit.object = o.object;
     hit.set = view.owner;
     changed = true;
   }
   return changed;
 }
 
-RAYSHADE_KERNEL bool OthersNearest(const TraceView& view, Bundle* b, int g, uint32_t object,
-                                   Hit* hits) {
+// The rays of a group whose bits are set, by callback.
+RAYSHADE_KERNEL bool AskNearest(const TraceView& view, Bundle* b, int g, uint32_t bits,
+                                uint32_t object, Hit* hits) {
   bool changed = false;
-  for (int lane = 0; lane < 8; ++lane) {
+  for (; bits != 0; bits &= bits - 1) {
+    const int lane = __builtin_ctz(bits);
     if (!b->has(g, lane)) continue;
     Hit& hit = hits[8 * g + lane];
     const uint32_t rank = hit.rank;
@@ -76,25 +65,13 @@ RAYSHADE_KERNEL bool OthersNearest(const TraceView& view, Bundle* b, int g, uint
 RAYSHADE_KERNEL void NearestInLeafOfBundle(const TraceView& view, Bundle* b, const BundleEntry& e,
                                            Hit* hits) {
   uint32_t changed = 0;
-  const uint32_t first = ChildOf(e.branch), count = CountOf(e.branch);
-  const LeafKind kind = KindOf(e.branch);
-  const double* rows = view.spheres + 4 * static_cast<size_t>(first);
-  for (uint32_t i = 0; i < count; ++i) {
-    const uint32_t object = first + i;
-    if (kind != kSphereLeaf) {
-      for (uint32_t m = e.groups; m != 0; m &= m - 1) {
-        const int g = __builtin_ctz(m);
-        if (OthersNearest(view, b, g, object, hits)) changed |= 1u << g;
-      }
-      continue;
-    }
-    const D8 x = SetD(rows[i]), y = SetD(rows[count + i]), z = SetD(rows[2 * count + i]);
-    const D8 radius = SetD(rows[3 * count + i]);
+  for (uint32_t i = 0; i < CountOf(e.branch); ++i) {
+    const LeafObject o = ObjectOfLeaf(view, e.branch, i);
     for (uint32_t m = e.groups; m != 0; m &= m - 1) {
       const int g = __builtin_ctz(m);
-      D8 distance;
-      const uint32_t bits = MeetSphere(*b, g, x, y, z, radius, &distance);
-      if (bits != 0 && TakeNearest(view, b, g, bits, distance, object, hits)) changed |= 1u << g;
+      const Met met = MeetObject(*b, g, o);
+      if (met.hit != 0 && TakeNearest(view, b, g, met, o, hits)) changed |= 1u << g;
+      if (met.unsure != 0 && AskNearest(view, b, g, met.unsure, o.object, hits)) changed |= 1u << g;
     }
   }
   if (changed == 0) return;
@@ -128,16 +105,27 @@ RAYSHADE_KERNEL uint32_t Tests(const BundleEntry& e) {
   return 8u * CountOf(e.branch) * static_cast<uint32_t>(__builtin_popcount(e.groups));
 }
 
-RAYSHADE_KERNEL void NearestOfBundle(const TraceView& view, Bundle* b, Hit* hits,
+// How much work a bundle has been for each of its groups; false: so much that its rays are better
+// off in smaller bundles, or alone. What was found until then stays valid.
+RAYSHADE_KERNEL bool PaysOff(const Bundle& b, const BundleEntry& e, int patience, int* work) {
+  const bool leaf = KindOf(e.branch) != kInnerNode;
+  *work += leaf ? static_cast<int>(CountOf(e.branch)) * __builtin_popcount(e.groups) : 1;
+  return *work <= (b.groups == 1 ? kLoneGroupPatience : patience * b.groups);
+}
+
+// Returns false where it gave up.
+RAYSHADE_KERNEL bool NearestOfBundle(const TraceView& view, Bundle* b, Hit* hits,
                                      Counters* counters) {
   BundleEntry stack[kStackSize];
   BundleEntry* top = stack;
+  int work = 0;
   *top++ = {MakeBranch(kInnerNode, 0, 0), 0, (1u << b->groups) - 1};
   while (top != stack) {
     BundleEntry e = *--top;
     if (e.depth > b->whole.most) continue;
     e.groups &= LessEqual(SetF(e.depth), LoadF(b->most));
     if (e.groups == 0) continue;
+    if (!PaysOff(*b, e, kNearestPatience, &work)) return false;
     if (KindOf(e.branch) != kInnerNode) {
       counters->tests += Tests(e);
       NearestInLeafOfBundle(view, b, e, hits);
@@ -146,63 +134,51 @@ RAYSHADE_KERNEL void NearestOfBundle(const TraceView& view, Bundle* b, Hit* hits
       top = PushMet(view, *b, e, true, top);
     }
   }
+  return true;
 }
 
 // Rays that are found blocked leave the bundle.
 RAYSHADE_KERNEL void BlockInLeafOfBundle(const TraceView& view, Bundle* b, const BundleEntry& e,
                                          uint8_t* blocked) {
-  uint32_t changed = 0;
-  const uint32_t first = ChildOf(e.branch), count = CountOf(e.branch);
-  const LeafKind kind = KindOf(e.branch);
-  const double* rows = view.spheres + 4 * static_cast<size_t>(first);
-  for (uint32_t i = 0; i < count; ++i) {
-    const uint32_t object = first + i;
-    const bool sphere = kind == kSphereLeaf;
-    if (sphere && !view.all_opaque && !view.opaque[view.keys[object].placement]) continue;
-    D8 x, y, z, radius;
-    if (sphere) {
-      x = SetD(rows[i]);
-      y = SetD(rows[count + i]);
-      z = SetD(rows[2 * count + i]);
-      radius = SetD(rows[3 * count + i]);
+  for (uint32_t i = 0; i < CountOf(e.branch); ++i) {
+    const LeafObject o = ObjectOfLeaf(view, e.branch, i);
+    // Others decide for themselves; so do the callbacks.
+    if (!view.all_opaque && o.kind != kOtherLeaf && !view.opaque[view.keys[o.object].placement]) {
+      continue;
     }
     for (uint32_t m = e.groups; m != 0; m &= m - 1) {
       const int g = __builtin_ctz(m);
-      D8 distances = SetD(0);
-      uint32_t bits = 0xff;
-      if (sphere) bits = MeetSphere(*b, g, x, y, z, radius, &distances);
-      if (bits == 0) continue;
+      const Met met = MeetObject(*b, g, o);
+      if ((met.hit | met.unsure) == 0) continue;
       alignas(64) double at[8];
-      Store(distances, at);
-      for (; bits != 0; bits &= bits - 1) {
+      Store(met.distance, at);
+      for (uint32_t bits = met.hit | met.unsure; bits != 0; bits &= bits - 1) {
         const int lane = __builtin_ctz(bits), ray = 8 * g + lane;
         if (!b->has(g, lane)) continue;
         const bool blocks =
-            sphere ? BundleHitCounts(view, *b, ray, at[lane], object)
-                   : view.callbacks.blocks_other(view.set, b->rays[ray], object, b->best[g][lane]);
+            (met.hit >> lane & 1) != 0
+                ? BundleHitCounts(view, *b, ray, at[lane], o)
+                : view.callbacks.blocks_other(view.set, b->rays[ray], o.object, b->best[g][lane]);
         if (!blocks) continue;
         blocked[ray] = 1;
         b->best[g][lane] = -1;
-        changed |= 1u << g;
       }
+      if (Largest(LoadD(b->best[g])) < 0) b->most[g] = -1;
     }
-  }
-  if (changed == 0) return;
-  for (uint32_t m = changed; m != 0; m &= m - 1) {
-    const int g = __builtin_ctz(m);
-    if (Largest(LoadD(b->best[g])) < 0) b->most[g] = -1;
   }
 }
 
-RAYSHADE_KERNEL void BlockBundle(const TraceView& view, Bundle* b, uint8_t* blocked,
+RAYSHADE_KERNEL bool BlockBundle(const TraceView& view, Bundle* b, uint8_t* blocked,
                                  Counters* counters) {
   BundleEntry stack[kStackSize];
   BundleEntry* top = stack;
+  int work = 0;
   *top++ = {MakeBranch(kInnerNode, 0, 0), 0, (1u << b->groups) - 1};
   while (top != stack) {
     BundleEntry e = *--top;
     e.groups &= LessEqual(SetF(0), LoadF(b->most));
     if (e.groups == 0) continue;
+    if (!PaysOff(*b, e, kBlockPatience, &work)) return false;
     if (KindOf(e.branch) != kInnerNode) {
       counters->tests += Tests(e);
       BlockInLeafOfBundle(view, b, e, blocked);
@@ -211,26 +187,26 @@ RAYSHADE_KERNEL void BlockBundle(const TraceView& view, Bundle* b, uint8_t* bloc
       top = PushMet(view, *b, e, false, top);
     }
   }
+  return true;
 }
 
-RAYSHADE_KERNEL bool TryNearest(const TraceView& view, const Ray* rays, Hit* hits, uint32_t count,
-                                float widest, Counters* counters) {
+RAYSHADE_KERNEL bool TryNearest(const TraceView& view, const Ray* rays, const double* strict,
+                                Hit* hits, uint32_t count, float widest, Counters* counters) {
   Bundle b;
   LoadRays(rays, count, &b);
   for (int i = 0; i < 8 * b.groups; ++i) {
     const bool there = static_cast<uint32_t>(i) < count;
     b.best[i / 8][i % 8] = there ? hits[i].distance : -1;
-    b.strict[i / 8][i % 8] = !there || hits[i].rank != kNoRank ? __builtin_inf() : hits[i].distance;
+    b.strict[i / 8][i % 8] = there ? strict[i] : __builtin_inf();
   }
   if (!SurroundRays(view, false, widest, &b)) return false;
   for (uint32_t k = 0; k < view.unbounded_count; ++k) {
-    for (int g = 0; g < b.groups; ++g) OthersNearest(view, &b, g, view.unbounded[k], hits);
+    for (int g = 0; g < b.groups; ++g) AskNearest(view, &b, g, 0xff, view.unbounded[k], hits);
     counters->tests += count;
   }
   for (int g = 0; g < b.groups; ++g) UpdateMost(&b, g);
   UpdateWholeMost(&b);
-  if (view.node_count != 0) NearestOfBundle(view, &b, hits, counters);
-  return true;
+  return view.node_count == 0 || NearestOfBundle(view, &b, hits, counters);
 }
 
 RAYSHADE_KERNEL bool TryBlock(const TraceView& view, const Ray* rays, const double* limits,
@@ -260,19 +236,21 @@ RAYSHADE_KERNEL bool TryBlock(const TraceView& view, const Ray* rays, const doub
   }
   for (int g = 0; g < b.groups; ++g) UpdateMost(&b, g);
   UpdateWholeMost(&b);
-  if (view.node_count != 0) BlockBundle(view, &b, blocked, counters);
-  return true;
+  return view.node_count == 0 || BlockBundle(view, &b, blocked, counters);
 }
 
 RAYSHADE_KERNEL void NearestOfSome(const TraceView& view, const Ray* rays, Hit* hits,
                                    uint32_t count, Counters* counters) {
-  if (count > 8 && TryNearest(view, rays, hits, count, kWidestBundle, counters)) return;
+  double strict[kBundleSize];
+  for (uint32_t i = 0; i < count; ++i) strict[i] = StrictLimit(hits[i]);
+  if (count > 8 && TryNearest(view, rays, strict, hits, count, kWidestBundle, counters)) return;
   for (uint32_t i = 0; i < count; i += 8) {
     const uint32_t size = count - i < 8 ? count - i : 8;
-    if (size > 1 && TryNearest(view, rays + i, hits + i, size, kWidestGroup, counters)) continue;
+    if (size > 1 && TryNearest(view, rays + i, strict + i, hits + i, size, kWidestGroup, counters))
+      continue;
     for (uint32_t k = i; k < i + size; ++k) {
       Hit hit = hits[k];
-      NearestOfOne(view, rays[k], &hit, counters);
+      NearestOfOne(view, rays[k], strict[k], &hit, counters);
       if (hit.rank == hits[k].rank) continue;
       hit.set = view.owner;
       hits[k] = hit;

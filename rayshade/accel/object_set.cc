@@ -50,6 +50,7 @@ struct ObjectSet::Impl {
   std::vector<uint8_t> opaque;  // by placement
   Bounds bounds;
   OtherObjects others{&objects};
+  FlatObjects flat;
   TraceView view;
   const Kernels* kernels = nullptr;  // since Build
 
@@ -93,6 +94,9 @@ void ObjectSet::Impl::Build() {
   view.node_count = static_cast<uint32_t>(nodes.size());
   view.set = &others;
   view.spheres = spheres == 0 ? nullptr : &objects.spheres()[0].x;
+  view.sphere_count = spheres;
+  flat = objects.flat();
+  view.flat = &flat;
   view.keys = objects.keys().data();
   view.unbounded = unbounded.data();
   view.unbounded_count = static_cast<uint32_t>(unbounded.size());

@@ -172,12 +172,17 @@ struct Stack {
   float entry[kStackSize + 8];
 };
 
-RAYSHADE_KERNEL void NearestOfOne(const TraceView& view, const Ray& ray, Hit* hit,
-                                  Counters* counters) {
+// The distance before which hits of strict kinds must lie: the limit, where the hit is none yet.
+RAYSHADE_KERNEL double StrictLimit(const Hit& hit) {
+  return hit.rank == kNoRank ? hit.distance : __builtin_inf();
+}
+
+RAYSHADE_KERNEL void NearestOfOne(const TraceView& view, const Ray& ray, double strict_limit,
+                                  Hit* hit, Counters* counters) {
   RayWork w;
   SlabRay s;
   SetUp(view, ray, &w, &s);
-  w.strict_limit = hit->rank == kNoRank ? hit->distance : __builtin_inf();
+  w.strict_limit = strict_limit;
   for (uint32_t i = 0; i < view.unbounded_count; ++i) {
     view.callbacks.nearest_other(view.set, ray, view.unbounded[i], w.strict_limit, hit);
   }

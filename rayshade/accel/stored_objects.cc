@@ -299,6 +299,10 @@ GeomSpec StoredObjects::SpecOf(uint32_t object) const {
   return other.spec ? *other.spec : GeomSpec{};
 }
 
+FlatObjects StoredObjects::flat() const {
+  return {items_.data(), triangles_.data(), polygons_.data(), points_.data()};
+}
+
 size_t StoredObjects::bytes() const {
   size_t bytes = sizeof *this + spheres_.bytes() + keys_.bytes() + item_keys_.bytes() +
                  items_.capacity() * sizeof(Item) + triangles_.capacity() * sizeof(FlatTriangle) +

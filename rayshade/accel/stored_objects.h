@@ -13,24 +13,11 @@
 #include <vector>
 
 #include "rayshade/accel/build.h"
+#include "rayshade/accel/flat_objects.h"
 #include "rayshade/accel/growing_array.h"
 #include "rayshade/accel/object_set.h"
-#include "rayshade/geom/polygon.h"
-#include "rayshade/geom/triangle.h"
 
 namespace rayshade {
-
-struct FlatTriangle {
-  TriangleShape shape;
-  bool flip;
-};
-
-struct FlatPolygon {
-  PolygonPlane plane;
-  uint32_t first_point, point_count;
-  bool flip;
-  bool planar;  // but for rounding: its hits lie in its box
-};
 
 struct OtherObject {
   std::unique_ptr<const GeomSpec> spec;  // null for members
@@ -38,12 +25,6 @@ struct OtherObject {
   Bounds box;                            // in the world; since Settle
   bool bounded = true;
   bool inclusive = false;
-};
-
-// Where an object that is not a sphere is held.
-struct Item {
-  LeafKind kind;  // kTriangleLeaf, kPolygonLeaf or kOtherLeaf
-  uint32_t index;
 };
 
 class StoredObjects {
@@ -83,7 +64,7 @@ class StoredObjects {
   GrowingArray<SphereRecord>& spheres() { return spheres_; }
   GrowingArray<ObjectKey>& keys() { return keys_; }
   std::span<const double> growth() const { return growth_; }
-  const std::vector<FlatTriangle>& triangles() const { return triangles_; }
+  FlatObjects flat() const;            // for the kernels
   GrowingArray<uint64_t> leaf_begins;  // of spheres, from the builder; empty before
   size_t bytes() const;
 

@@ -1,10 +1,12 @@
 // The kernels. Included once per instruction set, inside an unnamed namespace and after the set's
 // simd_*.inl; nothing here may depend on more than that and on trace_view.h.
+// Each builds on those before:
+// clang-format off
 #include "rayshade/accel/single_rays.inl"
-// Bundles build on single rays.
 #include "rayshade/accel/pyramid.inl"
-// And their traversal on both.
+#include "rayshade/accel/flat_kinds.inl"
 #include "rayshade/accel/bundles.inl"
+// clang-format on
 
 // Rays come in an order that has neighbours together: up to 64 at a time are taken for a bundle if
 // they are coherent, else eight at a time, else one by one.

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "rayshade/accel/flat_objects.h"
 #include "rayshade/accel/object_set.h"
 #include "rayshade/accel/trace_view.h"
 #include "rayshade/common/op_counts.h"

@@ -20,6 +20,7 @@ namespace rayshade {
 struct OpCounts;
 struct Ray;
 struct Hit;
+struct FlatObjects;
 class ObjectSet;
 
 inline constexpr int kNodeWidth = 8;
@@ -81,6 +82,8 @@ struct TraceView {
   uint32_t node_count = 0;
   double center[3] = {0, 0, 0};
   const double* spheres = nullptr;
+  uint32_t sphere_count = 0;
+  const FlatObjects* flat = nullptr;
   const ObjectKey* keys = nullptr;  // of all objects
   const uint32_t* unbounded = nullptr;
   uint32_t unbounded_count = 0;
