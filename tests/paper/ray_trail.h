@@ -21,15 +21,16 @@ struct RayStep {
 // return address.
 inline std::vector<std::vector<RayStep>> RayTrails(const RecordedRun& run) {
   std::map<std::vector<uint8_t>, std::vector<RayStep>> trails;
-  run.ForEach<RayTask>([&](const SentMessage& s, RayTask task) {
-    for (size_t i = 0; i < task.travel.size(); ++i) {
+  for (size_t at = 0; at < run.sent.size(); ++at) {
+    const SentMessage& s = run.sent[at];
+    if (s.tag != Tag::kRayTask) continue;
+    for (const Traveller& t : run.Travellers(s)) {
       ByteWriter name;
-      name.Put(task.bundle.rays[i]);
-      name.Put(task.travel[i].back);
-      trails[name.bytes()].push_back({s.from, s.to, task.bundle.rays[i], task.travel[i],
-                                      static_cast<size_t>(&s - run.sent.data())});
+      name.Put(t.ray);
+      name.Put(t.travel.back);
+      trails[name.bytes()].push_back({s.from, s.to, t.ray, t.travel, at});
     }
-  });
+  }
   std::vector<std::vector<RayStep>> list;
   for (auto& [name, steps] : trails) list.push_back(std::move(steps));
   return list;

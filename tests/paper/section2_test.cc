@@ -79,8 +79,7 @@ TEST(PaperSection2, TheHostSendsEachPrimaryRayToTheVoxelItEnters) {
     ready += s.tag == Tag::kReady;
     if (s.tag != Tag::kRayTask || s.from != kHost) continue;
     EXPECT_EQ(ready, 8u) << "a ray before initialisation is over";
-    const RayTask task = Decode<RayTask>(s.bytes);
-    for (const Ray& ray : task.bundle.rays) {
+    for (const auto& [ray, travel] : run.Travellers(s)) {
       EXPECT_EQ(ray.kind, RayKind::kPrimary);
       ++rays;
       const std::vector<CellId> cells = CellsAlong(run.tree, ray);
@@ -162,14 +161,11 @@ TEST(PaperSection2, EveryResultGoesBackToTheSpawnerOnce) {
   std::map<std::pair<ProcessId, uint64_t>, int> open;  // secondary rays away from their spawner
   size_t results = 0;
   for (const SentMessage& s : run.sent) {
-    if (s.from != kHost && (s.tag == Tag::kRayTask || s.tag == Tag::kIntersectionTask)) {
-      // The two have the same fields.
-      const auto travels = s.tag == Tag::kRayTask ? Decode<RayTask>(s.bytes).travel
-                                                  : Decode<IntersectionTask>(s.bytes).travel;
-      for (const Travel& travel : travels) {
-        if (travel.back.process == s.from) open[{s.from, travel.back.token}] = 1;
-      }
-    } else if (s.tag == Tag::kRayResults) {
+    for (const Traveller& t : run.Travellers(s)) {
+      if (s.from != kHost && t.travel.back.process == s.from)
+        open[{s.from, t.travel.back.token}] = 1;
+    }
+    if (s.tag == Tag::kRayResults) {
       for (const ResultItem& item : Decode<RayResults>(s.bytes).results) {
         ++results;
         EXPECT_NE(s.from, s.to);
@@ -184,15 +180,15 @@ TEST(PaperSection2, EveryResultGoesBackToTheSpawnerOnce) {
 TEST(PaperSection2, TheHostGetsOneResultForEachPrimaryRay) {
   const RecordedRun& run = DataParallelBalls();
   std::multiset<uint64_t> asked, answered;
-  run.ForEach<RayTask>([&](const SentMessage& s, const RayTask& task) {
-    for (const Travel& travel : task.travel) {
-      if (s.from == kHost) asked.insert(travel.back.token);
+  for (const SentMessage& s : run.sent) {
+    for (const Traveller& t : run.Travellers(s)) {
+      if (s.from == kHost) asked.insert(t.travel.back.token);
     }
-  });
-  run.ForEach<PixelResults>([&](const SentMessage& s, const PixelResults& message) {
-    EXPECT_EQ(s.to, kHost);
-    for (const ResultItem& item : message.results) answered.insert(item.token);
-  });
+    for (const PixelItem& item : RecordedRun::Pixels(s)) {
+      EXPECT_EQ(s.to, kHost);
+      answered.insert(item.token);
+    }
+  }
   EXPECT_EQ(asked, answered);
   EXPECT_EQ(std::set<uint64_t>(asked.begin(), asked.end()).size(), asked.size());
 }

@@ -56,6 +56,32 @@ size_t RecordedRun::Count(Tag tag) const {
       std::count_if(sent.begin(), sent.end(), [tag](const auto& s) { return s.tag == tag; }));
 }
 
+std::vector<Traveller> RecordedRun::Travellers(const SentMessage& message) const {
+  std::vector<Traveller> list;
+  const auto add = [&](const TravellingRays& rays) {
+    for (const PrimaryTravel& p : rays.primary) {
+      Travel travel;
+      travel.back = {kHost, p.token};
+      travel.resume = p.resume;
+      travel.best_distance = p.best_distance;
+      travel.best_rank = p.best_rank;
+      list.push_back({camera->PrimaryRay(SampleOf(p.token)), travel});
+    }
+    for (size_t i = 0; i < rays.travel.size(); ++i)
+      list.push_back({rays.bundle.rays[i], rays.travel[i]});
+  };
+  if (message.tag == Tag::kRayTask) add(Decode<RayTask>(message.bytes));
+  if (message.tag == Tag::kIntersectionTask) add(Decode<IntersectionTask>(message.bytes));
+  return list;
+}
+
+std::vector<PixelItem> RecordedRun::Pixels(const SentMessage& message) {
+  if (message.tag != Tag::kPixelResults) return {};
+  PixelResults results = Decode<PixelResults>(message.bytes);
+  for (uint64_t token : results.voids) results.results.push_back({token, {}, false});
+  return results.results;
+}
+
 ProcessId RecordedRun::OwnerAt(const Ray& ray, double distance) const {
   const CellId cell = tree.At(ray.origin + distance * ray.direction);
   return cell == kNoCell ? kHost : tree.cell(cell).owner;

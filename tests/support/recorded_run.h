@@ -34,6 +34,12 @@ class RecordingOutbox : public Outbox {
   std::vector<SentMessage>* sent_;
 };
 
+// A ray on its way from process to process.
+struct Traveller {
+  Ray ray;
+  Travel travel;
+};
+
 struct RecordedRun {
   std::vector<SentMessage> sent;  // in order of sending; copies of the same message share nothing
   CellTree tree;
@@ -50,6 +56,10 @@ struct RecordedRun {
     }
   }
   size_t Count(Tag tag) const;
+  // The rays of a RayTask or an IntersectionTask, and the pixels of a PixelResults; of other
+  // messages none.
+  std::vector<Traveller> Travellers(const SentMessage& message) const;
+  static std::vector<PixelItem> Pixels(const SentMessage& message);
   // The cell that a hit at this distance lies in is this process's; kHost: outside of the tree.
   ProcessId OwnerAt(const Ray& ray, double distance) const;
 };
