@@ -18,8 +18,8 @@ constexpr int kDepthOfHeuristic =
     40;  // below, halves are taken: at most 2^32 objects, 11 levels of eight
 // The cost of looking into a node, and of testing an object of a leaf, in units of each other.
 constexpr float kSplitCost = 1.0f;
-constexpr float kObjectCost = 0.5f;
-constexpr uint32_t kSmallLeaf = 4;
+constexpr float kObjectCost = 0.35f;
+constexpr uint32_t kSmallLeaf = 6;
 // A sphere's computed hits lie on a sphere whose radius is off by rounding: by less than this part
 // of its coordinates.
 constexpr double kRoundingOfSpheres = 1e-14;
