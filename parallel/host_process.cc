@@ -141,7 +141,9 @@ void HostProcess::Receive(ProcessId from, std::span<const uint8_t> bytes, Outbox
 }
 
 void HostProcess::On(ProcessId from, const ObjectsTaken&, Outbox*) {
+  if (receivers_[from - 1].untaken == 0) throw WireError("more objects taken than sent");
   --receivers_[from - 1].untaken;
+  --untaken_;
 }
 
 void HostProcess::On(ProcessId from, const Ready& message, Outbox*) {
