@@ -240,7 +240,7 @@ void TraceProcess::Impl::On(ProcessId, Stop&, Outbox* outbox) {
 
 bool TraceProcess::Impl::AskForWork(Outbox* outbox) {
   if (!AsksForWork(options.schedule) || requests >= kRequestsAhead) return false;
-  if (!ShortOfWork(queue.size(), waiting_rays, options.pyramid)) return false;
+  if (!ShortOfWork(queue.size() + transferred.size(), waiting_rays, options.pyramid)) return false;
   ++requests;
   outbox->Send(kHost, Encode(WorkRequest{}));
   return true;
@@ -250,13 +250,13 @@ bool TraceProcess::Impl::Work(Outbox* outbox) {
   if (tracer == nullptr || stopped) return false;
   AskForWork(outbox);
   if (++steps % kStepsPerFlush == 0) packer->Flush(outbox);
-  // What frees memory goes first: cells that rays wait for, hits that others found, then the
-  // deepest rays.
+  // What frees memory goes first: cells that rays wait for, then the deepest rays. Hits that others
+  // found are new work, but further on than primary rays.
   if (!arrived_cells.empty()) {
     CellReply reply = std::move(arrived_cells.front());
     arrived_cells.pop_front();
     TakeCell(std::move(reply), outbox);
-  } else if (!transferred.empty()) {
+  } else if (!transferred.empty() && queue.depth() <= 0) {
     RayQueue rays;
     transferred.Pop(kRaysPerStep, &rays);
     LocateHits(rays);

@@ -2,6 +2,7 @@
 #include "parallel/voxel_distribution.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "rayshade/common/check.h"
@@ -92,8 +93,7 @@ class TreeBuilder {
       : options_(options), spool_(spool), tree_(SceneBounds(spool)) {}
 
   CellTree Build() {
-    const Vector extent = tree_.bounds().high - tree_.bounds().low;
-    const auto counts = GridCounts(options_.processes, extent);
+    const auto counts = GridCounts(options_.processes, SeenExtent());
     CutVoxels(&tree_, 0, {0, 0, 0}, counts, counts);
     std::vector<CellId> full(tree_.size());
     std::iota(full.begin(), full.end(), 0);
@@ -103,6 +103,16 @@ class TreeBuilder {
   }
 
  private:
+  // The extent of the scene, shortened along the view: voxels side by side share what is seen, voxels one behind the
+  // other do not.
+  Vector SeenExtent() const {
+    const Settings& settings = spool_->scene().settings;
+    const Vector view = Normalized(settings.look - settings.eye);
+    Vector extent = tree_.bounds().high - tree_.bounds().low;
+    for (int axis = 0; axis < 3; ++axis) extent[axis] *= 1 - 0.5 * std::abs(view[axis]);
+    return extent;
+  }
+
   // One pass over the spool: cuts these cells by up to three levels; returns the cells that are
   // still too full.
   std::vector<CellId> CutOnce(const std::vector<CellId>& cells) {

@@ -45,6 +45,13 @@ class WorkQueue {
     }
     return false;
   }
+  // Of the deepest rays; -1 where there are none.
+  int depth() const {
+    for (size_t d = by_depth_.size(); d-- > 0;) {
+      if (!by_depth_[d].empty()) return static_cast<int>(d);
+    }
+    return -1;
+  }
   size_t size() const { return size_; }
   size_t bytes() const {
     size_t bytes = 0;
