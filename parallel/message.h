@@ -373,6 +373,8 @@ struct Statistics {
   uint64_t data_rays = 0;       // traced for RayTasks and for rays spawned here
   uint64_t forwarded_rays = 0;  // of these, handed on to another process
   std::vector<KindCount> sent;
+  double interval_seconds = 0;
+  std::vector<double> busy_by_interval;  // seconds, since the frame began
 
   template <class A>
   void Fields(A& a) {
@@ -388,6 +390,8 @@ struct Statistics {
     a("data_rays", data_rays);
     a("forwarded_rays", forwarded_rays);
     a("sent", sent);
+    a("interval_seconds", interval_seconds);
+    a("busy_by_interval", busy_by_interval);
   }
 };
 

@@ -65,6 +65,8 @@ void Read(const std::string& name, const std::string& value, ParallelOptions* op
     options->cache = SizeOf(name, value);
   } else if (name == "pyramid") {
     options->pyramid = NumberOf<uint32_t>(name, value, 1, 1024);
+  } else if (name == "timeline") {
+    options->timeline_file = value;
   } else if (name == "compare") {
     options->compare = true;
     options->compare_program = value;
@@ -82,6 +84,7 @@ std::vector<LongOption> ParallelLongOptions() {
       {"resident", "SIZE", "Objects near the eye that every process holds."},
       {"cache", "SIZE", "Fetched objects that a process keeps."},
       {"pyramid", "PIXELS", "Primary rays handed out at once (default 1024)."},
+      {"timeline", "FILE", "Write what each process did, and when it was busy."},
       {"compare", "PROGRAM?", "Render sequentially as well (rayshade, or PROGRAM) and compare."},
   };
 }

@@ -20,6 +20,7 @@ struct ParallelOptions {
   std::optional<uint64_t> memory, resident, cache;  // bytes
   uint32_t pyramid = 1024;                          // primary rays
   bool compare = false;
+  std::string timeline_file;
   std::string compare_program;  // "": rayshade beside the program that runs
 };
 

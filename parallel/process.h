@@ -13,7 +13,9 @@
 #include <span>
 #include <vector>
 
+#include "parallel/busy_timeline.h"
 #include "parallel/process_id.h"
+#include "rayshade/common/op_counts.h"
 
 namespace rayshade::parallel {
 
@@ -22,6 +24,14 @@ class Outbox {
   virtual ~Outbox() = default;
   // bytes: a whole encoded message (parallel/message.h).
   virtual void Send(ProcessId to, std::vector<uint8_t> bytes) = 0;
+};
+
+// What a process has done since it was made, exact and repeatable: what the simulator's cost model
+// multiplies.
+struct WorkDone {
+  OpCounts counts;
+  uint64_t objects_taken = 0;  // own, resident and fetched ones, with hierarchies over them
+  uint64_t samples = 0;        // handed out, and put into the picture
 };
 
 class Process {
@@ -34,6 +44,10 @@ class Process {
   // do until a message arrives.
   virtual bool Work(Outbox* outbox) = 0;
   virtual bool finished() const = 0;
+
+  virtual WorkDone work_done() const { return {}; }
+  // Of objects, cache and rays in work, after the last step.
+  virtual uint64_t bytes_held() const { return 0; }
 };
 
 // What only the runner knows of its process; zeros where it does not.
@@ -43,6 +57,7 @@ class Meter {
   virtual double busy_seconds() const { return 0; }
   virtual uint64_t peak_bytes() const { return 0; }
   virtual const char* machine() const { return ""; }
+  virtual const BusyTimeline* timeline() const { return nullptr; }
 };
 
 }  // namespace rayshade::parallel

@@ -143,6 +143,8 @@ struct TraceProcess::Impl {
   std::vector<Hit> hits;
   std::vector<Halt> halts;
 
+  uint64_t objects_taken = 0;
+  uint64_t bytes_held = 0;
   Statistics statistics;
   OpCounts& counts = statistics.counts;
 };

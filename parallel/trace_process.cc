@@ -15,6 +15,10 @@ TraceProcess::~TraceProcess() = default;
 
 bool TraceProcess::finished() const { return impl_->stopped; }
 
+WorkDone TraceProcess::work_done() const { return {impl_->counts, impl_->objects_taken, 0}; }
+
+uint64_t TraceProcess::bytes_held() const { return impl_->bytes_held; }
+
 bool TraceProcess::Work(Outbox* outbox) { return impl_->Work(outbox); }
 
 template <class Message>
@@ -93,6 +97,7 @@ void TraceProcess::Impl::Install(const ObjectParcel& parcel, ObjectSet* set) {
     scene->spec.placements.push_back(p.placement);
     placement_numbers.push_back(p.number);
   }
+  objects_taken += parcel.objects.size();
   for (const WireObject& object : parcel.objects) {
     const PlacementId placement = LocalPlacement(object.placement);
     if (object.member == 0) {
@@ -227,6 +232,10 @@ void TraceProcess::Impl::On(ProcessId, Stop&, Outbox* outbox) {
   stopped = true;
   statistics.busy_seconds = meter->busy_seconds();
   statistics.peak_bytes = meter->peak_bytes();
+  if (const BusyTimeline* timeline = meter->timeline()) {
+    statistics.interval_seconds = timeline->interval_seconds();
+    statistics.busy_by_interval = timeline->busy_seconds();
+  }
   if (own != nullptr) {
     statistics.objects = own->size();
     statistics.object_bytes = own->bytes();
@@ -273,11 +282,11 @@ bool TraceProcess::Impl::Work(Outbox* outbox) {
 }
 
 void TraceProcess::Impl::NoteBytes() {
-  const uint64_t bytes =
-      own->bytes() + cache->bytes() + tracer->bytes() + queue.bytes() + transferred.bytes() +
-      pending.bytes() + packer->bytes() + waiting_rays * (sizeof(Ray) + sizeof(Travel)) +
-      (waiting_shades.size() - free_waiting_shades.size()) * sizeof(WaitingShade);
-  statistics.bytes_held_max = std::max(statistics.bytes_held_max, bytes);
+  bytes_held = own->bytes() + cache->bytes() + tracer->bytes() + queue.bytes() +
+               transferred.bytes() + pending.bytes() + packer->bytes() +
+               waiting_rays * (sizeof(Ray) + sizeof(Travel)) +
+               (waiting_shades.size() - free_waiting_shades.size()) * sizeof(WaitingShade);
+  statistics.bytes_held_max = std::max(statistics.bytes_held_max, bytes_held);
 }
 
 }  // namespace rayshade::parallel

@@ -31,6 +31,8 @@ class TraceProcess : public Process {
   void Receive(ProcessId from, std::span<const uint8_t> message, Outbox* outbox) override;
   bool Work(Outbox* outbox) override;
   bool finished() const override;
+  WorkDone work_done() const override;
+  uint64_t bytes_held() const override;
 
  private:
   struct Impl;

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "parallel/timeline.h"
 #include "rayshade/image/png.h"
 #include "rayshade/render/partial_picture.h"
 
@@ -84,7 +85,8 @@ bool HostRun::CheckBeforehand() {
     return false;
   }
   CheckWritable(FrameFile(settings_, settings_.first_frame));
-  if (!options_.stats_file.empty()) CheckWritable(options_.stats_file);
+  for (const std::string& file : {options_.stats_file, parallel_.timeline_file})
+    if (!file.empty()) CheckWritable(file);
   return true;
 }
 
@@ -126,6 +128,10 @@ bool HostRun::RenderFrame(int frame) {
   }
   report_data_.AddFrame(host, MachineNames(), transport_->sent());
   stats().objects = spool_->size();
+  if (!parallel_.timeline_file.empty()) {
+    WriteTimeline(parallel_.timeline_file, run_, host, trace_begin_seconds_ - frame_begin_seconds_,
+                  trace_end_seconds_ - frame_begin_seconds_);
+  }
 
   // Write.
   WritePng(host.sampling().picture(), file, settings_.gamma, AlphaOf(settings_));
@@ -198,6 +204,7 @@ bool HostRun::Trace(HostProcess* host) {
   host_ = host;
   phase_ = HostProcess::Phase::kSetUp;
   transport_->StartFrame();
+  frame_begin_seconds_ = stopwatch_.seconds();
   const bool finished = loop_->Run(host, this);
   NotePhase(host->phase());
   host_ = nullptr;
@@ -232,6 +239,7 @@ void HostRun::NotePhase(HostProcess::Phase phase) {
   phase_ = phase;
   (was_tracing ? stats().trace_seconds : stats().distribute_seconds) += EndPhase();
   if (phase == Phase::kTrace) trace_begin_seconds_ = phase_end_seconds_;
+  if (was_tracing) trace_end_seconds_ = phase_end_seconds_;
 }
 
 void HostRun::Show(double now) {

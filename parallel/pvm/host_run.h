@@ -14,8 +14,8 @@
 #include "parallel/pvm/lease.h"
 #include "parallel/pvm/process_loop.h"
 #include "parallel/pvm/pvm_transport.h"
-#include "parallel/pvm/run_report.h"
 #include "parallel/pvm/virtual_machine.h"
+#include "parallel/run_report.h"
 #include "rayshade/common/diagnostics.h"
 #include "rayshade/render/progress.h"
 #include "rayshade/render/render_picture.h"
@@ -93,7 +93,7 @@ class HostRun : public LoopListener {
   HostProcess::Phase phase_ = HostProcess::Phase::kSetUp;
   Progress* progress_ = nullptr;
   LineReport* lines_ = nullptr;
-  double trace_begin_seconds_ = 0;
+  double frame_begin_seconds_ = 0, trace_begin_seconds_ = 0, trace_end_seconds_ = 0;
   double shown_seconds_ = 0;
 
   double phase_end_seconds_ = 0;

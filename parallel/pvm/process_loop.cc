@@ -33,7 +33,8 @@ ProcessLoop::ProcessLoop(PvmTransport* transport, Outbox* outbox)
 uint64_t ProcessLoop::peak_bytes() const { return PeakBytes(); }
 
 bool ProcessLoop::Run(Process* process, LoopListener* listener) {
-  busy_seconds_ = 0;
+  busy_ = {};
+  run_begin_ = Clock::now();
   bool more = true;
   while (!process->finished()) {
     if (!listener->Tick()) return false;
@@ -45,7 +46,7 @@ bool ProcessLoop::Run(Process* process, LoopListener* listener) {
       more = !process->finished() && process->Work(outbox_);
       spent = Seconds(Clock::now() - begin);
     } while (more && spent < kWorkSeconds);
-    busy_seconds_ += spent;
+    NoteBusy(begin);
   }
   return true;
 }
@@ -63,8 +64,12 @@ void ProcessLoop::TakeIn(double seconds, Process* process, LoopListener* listene
     listener->OnHeard(arrival_.from);
     const Clock::time_point begin = Clock::now();
     Deliver(process);
-    busy_seconds_ += Seconds(Clock::now() - begin);
+    NoteBusy(begin);
   } while (!process->finished() && Seconds(Clock::now() - first) < kTakeInSeconds);
+}
+
+void ProcessLoop::NoteBusy(Clock::time_point begin) {
+  busy_.Add(Seconds(begin - run_begin_), Seconds(Clock::now() - run_begin_));
 }
 
 void ProcessLoop::Deliver(Process* process) {

@@ -35,7 +35,8 @@ class ProcessLoop : public Meter {
   bool Await(double seconds, LoopListener* listener);
 
   // Since Run began.
-  double busy_seconds() const override { return busy_seconds_; }
+  double busy_seconds() const override { return busy_.total_seconds(); }
+  const BusyTimeline* timeline() const override { return &busy_; }
   uint64_t peak_bytes() const override;
   const char* machine() const override { return machine_.c_str(); }
 
@@ -46,11 +47,13 @@ class ProcessLoop : public Meter {
   void TakeIn(double seconds, Process* process, LoopListener* listener);
 
   void Deliver(Process* process);
+  void NoteBusy(Clock::time_point begin);
 
   PvmTransport* transport_;
   Outbox* outbox_;
   Arrival arrival_;
-  double busy_seconds_ = 0;
+  BusyTimeline busy_;
+  Clock::time_point run_begin_;
   std::string machine_;
 };
 

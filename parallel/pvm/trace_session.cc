@@ -6,6 +6,8 @@
 #include <new>
 #include <string>
 
+#include "parallel/run_report.h"
+
 namespace rayshade::parallel {
 
 namespace {
@@ -15,15 +17,7 @@ constexpr auto kPulse = std::chrono::seconds(1);
 }  // namespace
 
 void CountingOutbox::Send(ProcessId to, std::vector<uint8_t> bytes) {
-  if (TagOf(bytes) == Tag::kStatistics) {
-    Statistics statistics = Decode<Statistics>(bytes);
-    for (const KindCount& count : transport_->sent())
-      if (count.messages > 0) statistics.sent.push_back(count);
-    // This message is one of them.
-    statistics.sent.push_back({Statistics::kName, 1, 0});
-    statistics.sent.back().bytes = Encode(statistics).size();
-    bytes = Encode(statistics);
-  }
+  if (TagOf(bytes) == Tag::kStatistics) bytes = WithSent(bytes, transport_->sent());
   transport_->Send(to, std::move(bytes));
 }
 

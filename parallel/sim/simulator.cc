@@ -1,10 +1,11 @@
-// Seeded order of events; see simulator.h.
+// The queue of events; see simulator.h.
 #include "parallel/sim/simulator.h"
 
-#include <numeric>
+#include <algorithm>
 #include <stdexcept>
 
-#include "rayshade/common/keyed_random.h"
+#include "parallel/run_report.h"
+#include "rayshade/common/check.h"
 
 namespace rayshade::parallel {
 
@@ -14,13 +15,14 @@ class Simulator::SimulatedOutbox : public Outbox {
 
   void Send(ProcessId to, std::vector<uint8_t> bytes) override {
     Simulator& s = *simulator_;
-    const size_t tag = static_cast<size_t>(TagOf(bytes));
-    ++s.messages_[tag];
-    s.bytes_[tag] += bytes.size();
-    const size_t number = from_ * s.processes_.size() + to;
-    Link& link = s.links_.at(number);
-    if (link.messages.empty()) s.busy_links_.push_back(number);
-    link.messages.push_back(std::move(bytes));
+    const Tag tag = TagOf(bytes);
+    std::array<KindCount, kTags>& sent = s.states_[from_].sent;
+    if (tag == Tag::kStatistics) bytes = WithSent(bytes, sent);
+    KindCount& count = sent[static_cast<size_t>(tag)];
+    if (count.messages == 0) count.name = NameOf(tag);
+    ++count.messages;
+    count.bytes += bytes.size();
+    s.outgoing_.push_back(s.NewParcel(from_, to, std::move(bytes)));
   }
 
  private:
@@ -28,61 +30,144 @@ class Simulator::SimulatedOutbox : public Outbox {
   ProcessId from_;
 };
 
+Simulator::Simulator(std::vector<Process*> processes, Timing* timing,
+                     std::vector<SimulatedMeter*> meters, SimulatorListener* listener)
+    : timing_(timing), meters_(std::move(meters)), listener_(listener) {
+  CHECK(meters_.empty() || meters_.size() == processes.size());
+  states_.resize(processes.size());
+  for (size_t i = 0; i < processes.size(); ++i) states_[i].process = processes[i];
+}
+
 Simulator::Simulator(std::vector<Process*> processes, uint64_t seed)
-    : processes_(std::move(processes)), is_worker_(processes_.size(), 1), random_(MixBits(seed)) {
-  const size_t n = processes_.size();
-  for (size_t from = 0; from < n; ++from) {
-    outboxes_.push_back(std::make_unique<SimulatedOutbox>(this, static_cast<ProcessId>(from)));
-    workers_.push_back(static_cast<ProcessId>(from));
-    for (size_t to = 0; to < n; ++to) {
-      links_.push_back({static_cast<ProcessId>(from), static_cast<ProcessId>(to), {}});
-    }
-  }
+    : Simulator(processes, nullptr) {
+  own_timing_ = std::make_unique<RandomTiming>(processes.size(), seed);
+  timing_ = own_timing_.get();
 }
 
 Simulator::~Simulator() = default;
 
-size_t Simulator::Draw(size_t below) {
-  random_ = MixBits(random_);
-  return random_ % below;
+uint32_t Simulator::NewParcel(ProcessId from, ProcessId to, std::vector<uint8_t> bytes) {
+  CHECK(to < states_.size());
+  if (free_parcels_.empty()) {
+    free_parcels_.push_back(static_cast<uint32_t>(parcels_.size()));
+    parcels_.emplace_back();
+  }
+  const uint32_t parcel = free_parcels_.back();
+  free_parcels_.pop_back();
+  parcels_[parcel] = {from, to, std::move(bytes)};
+  return parcel;
 }
 
-void Simulator::Deliver(Link* link) {
-  const std::vector<uint8_t> bytes = std::move(link->messages.front());
-  link->messages.pop_front();
-  processes_[link->to]->Receive(link->from, bytes, outboxes_[link->to].get());
-  if (!is_worker_[link->to]) {
-    is_worker_[link->to] = 1;
-    workers_.push_back(link->to);
+void Simulator::Push(double at, Kind kind, uint32_t which) {
+  events_.push({at, sequence_++, kind, which});
+}
+
+void Simulator::Depart(uint32_t parcel) {
+  const Parcel& p = parcels_[parcel];
+  if (listener_) listener_->OnSend(p.from, p.to, p.bytes, now_);
+  double& last = last_arrival_[uint32_t{p.from} << 16 | p.to];
+  last = std::max(last, timing_->ArrivalTime(p.from, p.to, p.bytes.size(), now_));
+  Push(last, Kind::kArrive, parcel);
+}
+
+void Simulator::Arrive(uint32_t parcel) {
+  const ProcessId to = parcels_[parcel].to;
+  State& state = states_[to];
+  state.inbox.push_back(parcel);
+  state.inbox_bytes += parcels_[parcel].bytes.size();
+  if (!state.busy) Step(to);
+}
+
+// Gives the process the first message of its inbox; returns its size.
+size_t Simulator::TakeIn(ProcessId id) {
+  State& state = states_[id];
+  const uint32_t number = state.inbox.front();
+  state.inbox.pop_front();
+  const Parcel parcel = std::move(parcels_[number]);
+  free_parcels_.push_back(number);
+  state.inbox_bytes -= parcel.bytes.size();
+  SimulatedOutbox outbox(this, id);
+  state.process->Receive(parcel.from, parcel.bytes, &outbox);
+  state.may_work = true;
+  return parcel.bytes.size();
+}
+
+void Simulator::Step(ProcessId id) {
+  State& state = states_[id];
+  size_t taken = 0;
+  bool made = true;
+  if (!state.inbox.empty() && !(state.may_work && timing_->WorksFirst(id))) {
+    taken = TakeIn(id);
+  } else if (state.may_work) {
+    SimulatedOutbox outbox(this, id);
+    state.may_work = state.process->Work(&outbox);
+    made = state.may_work || !outgoing_.empty() || !state.inbox.empty();
+  } else {
+    made = false;
   }
+  state.busy = made;
+  if (!made) return;
+
+  const WorkDone done = state.process->work_done();
+  double end = now_ + timing_->StepSeconds(id, state.done, done);
+  if (taken > 0) end += timing_->ReceiveSeconds(taken);
+  state.done = done;
+  for (const uint32_t parcel : outgoing_) {
+    end += timing_->SendSeconds(parcels_[parcel].bytes.size());
+    Push(end, Kind::kDepart, parcel);
+  }
+  outgoing_.clear();
+  Push(end, Kind::kFree, id);
+  if (!meters_.empty()) {
+    meters_[id]->busy.Add(now_, end);
+    meters_[id]->bytes_max =
+        std::max(meters_[id]->bytes_max, state.process->bytes_held() + state.inbox_bytes);
+  }
+  if (listener_) listener_->OnStep(id, now_, end, taken);
 }
 
 void Simulator::Run() {
-  while (!processes_[0]->finished()) {
-    const size_t events = busy_links_.size() + workers_.size();
-    if (events == 0)
+  for (size_t i = 0; i < states_.size(); ++i) Step(static_cast<ProcessId>(i));
+  while (!states_[kHost].process->finished()) {
+    if (events_.empty())
       throw std::runtime_error("the run hangs: no process has work, no message is under way");
-    const size_t event = Draw(events);
-    if (event < busy_links_.size()) {
-      Link* link = &links_[busy_links_[event]];
-      if (link->messages.size() == 1) {
-        busy_links_[event] = busy_links_.back();
-        busy_links_.pop_back();
-      }
-      Deliver(link);
-    } else {
-      const size_t w = event - busy_links_.size();
-      const ProcessId worker = workers_[w];
-      if (processes_[worker]->Work(outboxes_[worker].get())) continue;
-      workers_[w] = workers_.back();
-      workers_.pop_back();
-      is_worker_[worker] = 0;
+    const Event event = events_.top();
+    events_.pop();
+    now_ = event.at;
+    switch (event.kind) {
+      case Kind::kDepart:
+        Depart(event.which);
+        break;
+      case Kind::kArrive:
+        Arrive(event.which);
+        break;
+      case Kind::kFree:
+        Step(static_cast<ProcessId>(event.which));
+        break;
     }
   }
 }
 
+uint64_t Simulator::messages(Tag tag) const {
+  uint64_t sum = 0;
+  for (const State& state : states_) sum += state.sent[static_cast<size_t>(tag)].messages;
+  return sum;
+}
+
+uint64_t Simulator::bytes(Tag tag) const {
+  uint64_t sum = 0;
+  for (const State& state : states_) sum += state.sent[static_cast<size_t>(tag)].bytes;
+  return sum;
+}
+
 uint64_t Simulator::messages() const {
-  return std::accumulate(messages_, messages_ + kTags, uint64_t{0});
+  uint64_t sum = 0;
+  for (int tag = 0; tag < kTags; ++tag) sum += messages(static_cast<Tag>(tag));
+  return sum;
+}
+
+const std::array<KindCount, kTags>& Simulator::sent(ProcessId process) const {
+  return states_[process].sent;
 }
 
 }  // namespace rayshade::parallel

@@ -1,5 +1,5 @@
 // See run_report.h.
-#include "parallel/pvm/run_report.h"
+#include "parallel/run_report.h"
 
 #include <algorithm>
 
@@ -33,6 +33,16 @@ std::string Json(const std::map<std::string, MessageCount>& kinds) {
 }
 
 }  // namespace
+
+std::vector<uint8_t> WithSent(std::span<const uint8_t> bytes,
+                              const std::array<KindCount, kTags>& sent) {
+  Statistics statistics = Decode<Statistics>(bytes);
+  for (const KindCount& count : sent)
+    if (count.messages > 0) statistics.sent.push_back(count);
+  statistics.sent.push_back({Statistics::kName, 1, 0});
+  statistics.sent.back().bytes = Encode(statistics).size();
+  return Encode(statistics);
+}
 
 void RunReport::CountSent(const KindCount& count) {
   if (count.messages == 0) return;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,10 @@
 #include "rayshade/render/stats.h"
 
 namespace rayshade::parallel {
+
+// A Statistics message with what only its transport has counted; it counts itself.
+std::vector<uint8_t> WithSent(std::span<const uint8_t> statistics,
+                              const std::array<KindCount, kTags>& sent);
 
 class RunReport {
  public:

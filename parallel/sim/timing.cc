@@ -1,0 +1,104 @@
+// See timing.h.
+#include "parallel/sim/timing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rayshade/common/keyed_random.h"
+
+namespace rayshade::parallel {
+
+namespace {
+
+double UnitOf(uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1.0p-53; }
+
+double Difference(uint64_t after, uint64_t before) { return static_cast<double>(after - before); }
+
+// Rays, operations and objects of `after` that are not in `before`.
+double CostBetween(const Machine& m, const WorkDone& before, const WorkDone& after) {
+  const OpCounts &a = before.counts, &b = after.counts;
+  return m.ray * Difference(b.total_rays(), a.total_rays()) +
+         m.node_visit * Difference(b.node_visits, a.node_visits) +
+         m.primitive_test * Difference(b.primitive_tests, a.primitive_tests) +
+         m.cell_step * Difference(b.cell_steps, a.cell_steps) +
+         m.shade * Difference(b.shades, a.shades) +
+         m.light_sample * Difference(b.light_samples, a.light_samples) +
+         m.object * Difference(after.objects_taken, before.objects_taken) +
+         m.sample * Difference(after.samples, before.samples);
+}
+
+}  // namespace
+
+double CostOf(const Machine& machine, const WorkDone& work) {
+  return CostBetween(machine, {}, work);
+}
+
+MachineTiming::MachineTiming(const Machine& machine, size_t processes, uint64_t seed)
+    : machine_(machine), random_(MixBits(seed)) {
+  out_free_.resize(processes + 1);
+  in_free_.resize(processes + 1);
+}
+
+size_t MachineTiming::NodeOf(ProcessId process) const {
+  if (process == kHost) return machine_.host_apart != 0 ? out_free_.size() - 1 : 0;
+  return static_cast<size_t>((process - 1) / machine_.processors);
+}
+
+double MachineTiming::StepSeconds(ProcessId, const WorkDone& before, const WorkDone& after) {
+  random_ = MixBits(random_);
+  return (machine_.step + CostBetween(machine_, before, after)) *
+         (1 + machine_.jitter * UnitOf(random_));
+}
+
+double MachineTiming::SendSeconds(size_t bytes) {
+  return machine_.send + machine_.pack * static_cast<double>(bytes);
+}
+
+double MachineTiming::ReceiveSeconds(size_t bytes) {
+  return machine_.receive + machine_.unpack * static_cast<double>(bytes);
+}
+
+// Through the sender's port, what all share, and the receiver's port, each in order of departure;
+// the bytes flow, so that a message of which nothing stands in the way is there after latency +
+// bytes x the largest gap.
+double MachineTiming::ArrivalTime(ProcessId from, ProcessId to, size_t bytes, double now) {
+  const double n = static_cast<double>(bytes);
+  const size_t source = NodeOf(from), target = NodeOf(to);
+  if (source == target) return now + machine_.local_latency + n * machine_.local_gap;
+  const double out_begin = std::max(now, out_free_[source]);
+  const double out_end = out_begin + n * machine_.gap;
+  out_free_[source] = out_end;
+  double begin = out_begin, end = out_end;
+  if (machine_.shared_gap > 0) {
+    begin = std::max(begin, shared_free_);
+    end = std::max(end, begin + n * machine_.shared_gap);
+    shared_free_ = begin + n * machine_.shared_gap;
+  }
+  const double in_begin = std::max(begin + machine_.latency, in_free_[target]);
+  const double in_end = std::max(end + machine_.latency, in_begin + n * machine_.gap);
+  in_free_[target] = in_begin + n * machine_.gap;
+  return in_end;
+}
+
+RandomTiming::RandomTiming(size_t processes, uint64_t seed) : random_(MixBits(seed)) {
+  // One process in four is up to 50 times as slow as the others.
+  for (size_t i = 0; i < processes; ++i)
+    slowness_.push_back(Draw() < 0.25 ? 1 + 50 * Draw() * Draw() : 1);
+  const double kind = Draw();
+  lateness_ = 10 * kind * kind * kind;
+}
+
+double RandomTiming::Draw() {
+  random_ = MixBits(random_);
+  return UnitOf(random_);
+}
+
+double RandomTiming::StepSeconds(ProcessId process, const WorkDone&, const WorkDone&) {
+  return slowness_[process] * (0.01 + Draw());
+}
+
+double RandomTiming::ArrivalTime(ProcessId, ProcessId, size_t, double now) {
+  return now + lateness_ * -std::log(1 - Draw());
+}
+
+}  // namespace rayshade::parallel
