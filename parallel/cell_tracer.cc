@@ -10,6 +10,13 @@
 
 namespace rayshade::parallel {
 
+namespace {
+
+// A known hit is searched for from so much in front of it, relatively.
+constexpr double kLocateWindow = 1e-6;
+
+}  // namespace
+
 CellTracer::CellTracer(const Scene* scene, const CellTree* tree, ProcessId self,
                        const ObjectSet* own, ObjectCache* cache)
     : scene_(scene), tree_(tree), own_(own), cache_(cache), boxes_(tree->Boxes()) {
@@ -168,16 +175,19 @@ Hit CellTracer::Locate(const Ray& ray, double distance, Rank rank, OpCounts* cou
 
 void CellTracer::LocateAll(std::span<const Ray> rays, std::span<const Travel> travel,
                            std::span<Hit> hits, OpCounts* counts) {
+  some_rays_.assign(rays.begin(), rays.end());
   for (size_t i = 0; i < rays.size(); ++i) {
     hits[i] = Hit();
     hits[i].distance = travel[i].best_distance;
-    hits[i].rank =
-        travel[i].best_rank + 1;  // the hit itself is the only one that comes before this
+    hits[i].rank = travel[i].best_rank + 1;  // the hit itself is the only one that comes before this
+    // Nothing but the place of the hit has to be searched.
+    some_rays_[i].min_distance =
+        std::max(rays[i].min_distance, travel[i].best_distance * (1 - kLocateWindow));
   }
-  own_->Nearest(rays, hits, counts);
+  own_->Nearest(some_rays_, hits, counts);
   for (size_t i = 0; i < rays.size(); ++i) {
-    if (hits[i].distance == travel[i].best_distance && hits[i].rank == travel[i].best_rank)
-      continue;
+    if (hits[i].distance == travel[i].best_distance && hits[i].rank == travel[i].best_rank) continue;
+    // A kind whose arithmetic depends on where the search begins: once more from there.
     hits[i] = Locate(rays[i], travel[i].best_distance, travel[i].best_rank, counts);
     CHECK(hits[i].set != nullptr);
   }

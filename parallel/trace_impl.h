@@ -70,11 +70,12 @@ struct TraceProcess::Impl {
   void Install(const ObjectParcel& parcel, ObjectSet* set);
   PlacementId LocalPlacement(uint32_t number) const;
   bool Work(Outbox* outbox);
+  void TakeSamples(RayQueue* rays);
   bool AskForWork(Outbox* outbox);
   void NoteBytes();
 
   // trace_rays.cc
-  void TraceStep(RayQueue* rays, Outbox* outbox);
+  void TraceStep(const RayQueue& rays, Outbox* outbox);
   void Miss(const Ray& ray, const ReturnAddress& back, Outbox* outbox);
   void OnHit(const RayQueue& rays, size_t i, const Hit& hit, Outbox* outbox);
   void TakeCell(CellReply&& reply, Outbox* outbox);
@@ -114,6 +115,7 @@ struct TraceProcess::Impl {
   std::unique_ptr<CellTracer> tracer;
 
   // Rays in work.
+  std::deque<Sample> samples;  // of PyraClip tasks, not begun
   WorkQueue queue;
   RayQueue transferred;  // hits from other processes, to be located and shaded
   std::deque<CellReply> arrived_cells;
@@ -138,6 +140,11 @@ struct TraceProcess::Impl {
   std::vector<CellId> halted;  // by shadow; kNoCell: decided
 
   // Scratch of a step.
+  RayQueue step;
+  std::vector<uint32_t> first_shadow;
+  std::vector<uint32_t> next_shadow;
+  std::vector<CellTracer::Shadow> light_shadows;
+  std::vector<uint32_t> of_light;
   RayBundle transmitted, reflected;
   HitPath path;
   std::vector<Hit> hits;

@@ -140,11 +140,18 @@ void TraceProcess::Impl::On(ProcessId, PrimaryRays& message, Outbox*) {
   requests = std::max(0, requests - 1);
   statistics.demand_rays += message.samples.size();
   counts.primary_rays += message.samples.size();
-  for (const Sample& sample : message.samples) {
-    Travel travel;
-    travel.back = {kHost, TokenOf(sample)};
-    queue.Push(camera->PrimaryRay(sample), {}, travel);
+  samples.insert(samples.end(), message.samples.begin(), message.samples.end());
+}
+
+// The next part of the PyraClip tasks at hand, as rays.
+void TraceProcess::Impl::TakeSamples(RayQueue* rays) {
+  const size_t count = std::min(kRaysPerStep, samples.size());
+  Travel travel;
+  for (size_t i = 0; i < count; ++i) {
+    travel.back = {kHost, TokenOf(samples[i])};
+    rays->Push(camera->PrimaryRay(samples[i]), {}, travel);
   }
+  samples.erase(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(count));
 }
 
 // Appends the rays of a message to a queue; primary rays are made again from their samples.
@@ -249,7 +256,7 @@ void TraceProcess::Impl::On(ProcessId, Stop&, Outbox* outbox) {
 
 bool TraceProcess::Impl::AskForWork(Outbox* outbox) {
   if (!AsksForWork(options.schedule) || requests >= kRequestsAhead) return false;
-  if (!ShortOfWork(queue.size() + transferred.size(), waiting_rays, options.pyramid)) return false;
+  if (!ShortOfWork(samples.size() + queue.size() + transferred.size(), waiting_rays, options.pyramid)) return false;
   ++requests;
   outbox->Send(kHost, Encode(WorkRequest{}));
   return true;
@@ -265,15 +272,20 @@ bool TraceProcess::Impl::Work(Outbox* outbox) {
     CellReply reply = std::move(arrived_cells.front());
     arrived_cells.pop_front();
     TakeCell(std::move(reply), outbox);
-  } else if (!transferred.empty() && queue.depth() <= 0) {
-    RayQueue rays;
-    transferred.Pop(kRaysPerStep, &rays);
-    LocateHits(rays);
-  } else if (RayQueue rays; queue.Pop(&rays)) {
-    TraceStep(&rays, outbox);
   } else {
-    packer->Flush(outbox);
-    return false;
+    step.clear();
+    if (queue.depth() <= 0 && !transferred.empty()) {
+      transferred.Pop(kRaysPerStep, &step);
+      LocateHits(step);
+    } else if (queue.Pop(&step)) {
+      TraceStep(step, outbox);
+    } else if (!samples.empty()) {
+      TakeSamples(&step);
+      TraceStep(step, outbox);
+    } else {
+      packer->Flush(outbox);
+      return false;
+    }
   }
   ShadeHits(outbox);
   RequestCells(outbox);

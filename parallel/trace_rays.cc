@@ -7,14 +7,14 @@
 namespace rayshade::parallel {
 
 // Traces rays as far as this process can; each ends, goes to another process, or waits for a cell.
-void TraceProcess::Impl::TraceStep(RayQueue* rays, Outbox* outbox) {
-  const size_t n = rays->size();
+void TraceProcess::Impl::TraceStep(const RayQueue& rays, Outbox* outbox) {
+  const size_t n = rays.size();
   hits.resize(n);
   halts.resize(n);
-  tracer->Nearest(rays->bundle.rays, rays->travel, hits, halts, &counts);
+  tracer->Nearest(rays.bundle.rays, rays.travel, hits, halts, &counts);
   for (size_t i = 0; i < n; ++i) {
-    const Ray& ray = rays->bundle.rays[i];
-    Travel travel = rays->travel[i];
+    const Ray& ray = rays.bundle.rays[i];
+    Travel travel = rays.travel[i];
     if (halts[i].cell != kNoCell) {
       travel.resume = halts[i].cell;
       travel.best_distance = hits[i].distance;
@@ -22,14 +22,14 @@ void TraceProcess::Impl::TraceStep(RayQueue* rays, Outbox* outbox) {
       if (ForwardsRays(options.schedule)) {
         travel.own_done = false;
         ++statistics.forwarded_rays;
-        packer->AddRay(tree.cell(halts[i].cell).owner, ray, rays->media(i), travel, outbox);
+        packer->AddRay(tree.cell(halts[i].cell).owner, ray, rays.media(i), travel, outbox);
       } else {
         travel.own_done = true;
-        WaitFor(halts[i].cell).rays.Push(ray, rays->media(i), travel);
+        WaitFor(halts[i].cell).rays.Push(ray, rays.media(i), travel);
         ++waiting_rays;
       }
     } else if (hits[i].found()) {
-      OnHit(*rays, i, hits[i], outbox);
+      OnHit(rays, i, hits[i], outbox);
     } else {
       Miss(ray, travel.back, outbox);
     }
@@ -117,7 +117,7 @@ void TraceProcess::Impl::TakeCell(CellReply&& reply, Outbox* outbox) {
   WaitingForCell& waiters = node.mapped();
   waiting_rays -= waiters.rays.size() + waiters.hits.size();
   LocateHits(waiters.hits);
-  if (!waiters.rays.empty()) TraceStep(&waiters.rays, outbox);
+  if (!waiters.rays.empty()) TraceStep(waiters.rays, outbox);
   ResumeShadows(waiters.shadows, reply.cell, outbox);
 }
 

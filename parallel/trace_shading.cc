@@ -24,7 +24,8 @@ bool TraceProcess::Impl::Arrives(CellTracer::Shadow* shadow) {
 void TraceProcess::Impl::ShadeHits(Outbox* outbox) {
   if (batch.empty()) return;
   counts.hits += batch.size();
-  std::vector<uint32_t> first;
+  std::vector<uint32_t>& first = first_shadow;
+  first.clear();
   TraceShadows(&first);
   for (size_t i = 0; i < batch.size(); ++i) {
     const size_t begin = first[i], count = first[i + 1] - begin;
@@ -55,9 +56,10 @@ void TraceProcess::Impl::TraceShadows(std::vector<uint32_t>* first) {
   halted.assign(shadows.size(), kNoCell);
   crossings.assign(scene->any_transparent ? shadows.size() : 0, {});
 
-  std::vector<uint32_t> next(first->begin(), first->end() - 1);
-  std::vector<CellTracer::Shadow> some;
-  std::vector<uint32_t> which;
+  std::vector<uint32_t>& next = next_shadow;
+  next.assign(first->begin(), first->end() - 1);
+  std::vector<CellTracer::Shadow>& some = light_shadows;
+  std::vector<uint32_t>& which = of_light;
   for (uint32_t light = 0; light < scene->lights.size(); ++light) {
     some.clear();
     which.clear();
