@@ -179,14 +179,16 @@ void CellTracer::LocateAll(std::span<const Ray> rays, std::span<const Travel> tr
   for (size_t i = 0; i < rays.size(); ++i) {
     hits[i] = Hit();
     hits[i].distance = travel[i].best_distance;
-    hits[i].rank = travel[i].best_rank + 1;  // the hit itself is the only one that comes before this
+    hits[i].rank =
+        travel[i].best_rank + 1;  // the hit itself is the only one that comes before this
     // Nothing but the place of the hit has to be searched.
     some_rays_[i].min_distance =
         std::max(rays[i].min_distance, travel[i].best_distance * (1 - kLocateWindow));
   }
   own_->Nearest(some_rays_, hits, counts);
   for (size_t i = 0; i < rays.size(); ++i) {
-    if (hits[i].distance == travel[i].best_distance && hits[i].rank == travel[i].best_rank) continue;
+    if (hits[i].distance == travel[i].best_distance && hits[i].rank == travel[i].best_rank)
+      continue;
     // A kind whose arithmetic depends on where the search begins: once more from there.
     hits[i] = Locate(rays[i], travel[i].best_distance, travel[i].best_rank, counts);
     CHECK(hits[i].set != nullptr);

@@ -96,7 +96,8 @@ void HostProcess::PlanMemory() {
     options_.cache = std::max(options_.cache, 2 * largest_cell);
   }
   ChooseResidentSet(camera_->eye(), options_.resident, &tree_);
-  // Rays wait where their voxels are: enough of them that processes with little data do not run dry meanwhile.
+  // Rays wait where their voxels are: enough of them that processes with little data do not run dry
+  // meanwhile.
   const uint64_t plenty =
       uint64_t{32} * options_.processes * std::max<uint32_t>(options_.pyramid, 256);
   const uint64_t allowed =

@@ -256,7 +256,9 @@ void TraceProcess::Impl::On(ProcessId, Stop&, Outbox* outbox) {
 
 bool TraceProcess::Impl::AskForWork(Outbox* outbox) {
   if (!AsksForWork(options.schedule) || requests >= kRequestsAhead) return false;
-  if (!ShortOfWork(samples.size() + queue.size() + transferred.size(), waiting_rays, options.pyramid)) return false;
+  if (!ShortOfWork(samples.size() + queue.size() + transferred.size(), waiting_rays,
+                   options.pyramid))
+    return false;
   ++requests;
   outbox->Send(kHost, Encode(WorkRequest{}));
   return true;
@@ -266,21 +268,24 @@ bool TraceProcess::Impl::Work(Outbox* outbox) {
   if (tracer == nullptr || stopped) return false;
   AskForWork(outbox);
   if (++steps % kStepsPerFlush == 0) packer->Flush(outbox);
-  // What frees memory goes first: cells that rays wait for, then the deepest rays. Hits that others
-  // found are new work, but further on than primary rays.
+  // What frees memory goes first: cells that rays wait for, then the deepest rays of which there is
+  // a whole step (few rays at a time are traced badly). Then hits that others found, primary rays,
+  // and at last what rays there are.
   if (!arrived_cells.empty()) {
     CellReply reply = std::move(arrived_cells.front());
     arrived_cells.pop_front();
     TakeCell(std::move(reply), outbox);
   } else {
     step.clear();
-    if (queue.depth() <= 0 && !transferred.empty()) {
+    if (queue.PopFull(&step)) {
+      TraceStep(step, outbox);
+    } else if (!transferred.empty()) {
       transferred.Pop(kRaysPerStep, &step);
       LocateHits(step);
-    } else if (queue.Pop(&step)) {
-      TraceStep(step, outbox);
     } else if (!samples.empty()) {
       TakeSamples(&step);
+      TraceStep(step, outbox);
+    } else if (queue.PopAny(&step)) {
       TraceStep(step, outbox);
     } else {
       packer->Flush(outbox);

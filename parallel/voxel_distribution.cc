@@ -103,8 +103,8 @@ class TreeBuilder {
   }
 
  private:
-  // The extent of the scene, shortened along the view: voxels side by side share what is seen, voxels one behind the
-  // other do not.
+  // The extent of the scene, shortened along the view: voxels side by side share what is seen,
+  // voxels one behind the other do not.
   Vector SeenExtent() const {
     const Settings& settings = spool_->scene().settings;
     const Vector view = Normalized(settings.look - settings.eye);

@@ -35,23 +35,10 @@ class WorkQueue {
     by_depth_[ray.depth].Push(ray, media, travel);
     ++size_;
   }
-  // The deepest rays first: they are what memory waits for.
-  bool Pop(RayQueue* rays) {
-    for (size_t d = by_depth_.size(); d-- > 0;) {
-      if (by_depth_[d].empty()) continue;
-      by_depth_[d].Pop(kRaysPerStep, rays);
-      size_ -= rays->size();
-      return true;
-    }
-    return false;
-  }
-  // Of the deepest rays; -1 where there are none.
-  int depth() const {
-    for (size_t d = by_depth_.size(); d-- > 0;) {
-      if (!by_depth_[d].empty()) return static_cast<int>(d);
-    }
-    return -1;
-  }
+  // A full step of rays of one depth, the deepest first; false where there is none.
+  bool PopFull(RayQueue* rays) { return PopAtLeast(kRaysPerStep, rays); }
+  // The deepest rays, however few.
+  bool PopAny(RayQueue* rays) { return PopAtLeast(1, rays); }
   size_t size() const { return size_; }
   size_t bytes() const {
     size_t bytes = 0;
@@ -60,6 +47,16 @@ class WorkQueue {
   }
 
  private:
+  bool PopAtLeast(size_t least, RayQueue* rays) {
+    for (size_t d = by_depth_.size(); d-- > 0;) {
+      if (by_depth_[d].size() < least) continue;
+      by_depth_[d].Pop(kRaysPerStep, rays);
+      size_ -= rays->size();
+      return true;
+    }
+    return false;
+  }
+
   std::vector<RayQueue> by_depth_;
   size_t size_ = 0;
 };
