@@ -41,6 +41,9 @@ class HandDrivenRun {
   std::vector<SentMessage> Tell(ProcessId from, ProcessId to, const Message& message) {
     return Tell(from, to, std::span<const uint8_t>(Encode(message)));
   }
+  std::vector<SentMessage> Tell(const SentMessage& s) {
+    return Tell(s.from, s.to, std::span<const uint8_t>(s.bytes));
+  }
   // Lets a process work until it has nothing to do; returns what it sends.
   std::vector<SentMessage> Work(ProcessId id) {
     std::vector<SentMessage> sent;
@@ -66,7 +69,7 @@ class HandDrivenRun {
       }
       const SentMessage message = std::move(under_way.front());
       under_way.pop_front();
-      add(Tell(message.from, message.to, std::span<const uint8_t>(message.bytes)));
+      add(Tell(message));
     }
   }
 
