@@ -18,7 +18,6 @@ struct HostProcess::Receiver {
   std::vector<uint8_t> objects;
   uint32_t count = 0;
   std::vector<bool> has_placement;  // by number in the run
-  int untaken = 0;                  // messages sent and not yet reported as stored
 };
 
 namespace {
@@ -142,9 +141,8 @@ void HostProcess::Receive(ProcessId from, std::span<const uint8_t> bytes, Outbox
   }
 }
 
-void HostProcess::On(ProcessId from, const ObjectsTaken&, Outbox*) {
-  if (receivers_[from - 1].untaken == 0) throw WireError("more objects taken than sent");
-  --receivers_[from - 1].untaken;
+void HostProcess::On(ProcessId, const ObjectsTaken&, Outbox*) {
+  if (untaken_ == 0) throw WireError("objects taken that were not sent");
   --untaken_;
 }
 
@@ -172,6 +170,9 @@ void HostProcess::On(ProcessId from, const WorkRequest&, Outbox*) { feed_->OnReq
 void HostProcess::On(ProcessId, const PixelResults& message, Outbox*) {
   const size_t count = message.voids.size() + message.results.size();
   if (count > in_flight_) throw WireError("more results than rays");
+  const int samples = spool_->scene().settings.samples;
+  for (uint64_t token : message.voids) CheckSample(SampleOf(token), *camera_, samples);
+  for (const PixelItem& i : message.results) CheckSample(SampleOf(i.token), *camera_, samples);
   in_flight_ -= count;
   samples_done_ += count;
   const RayResult background{spool_->scene().settings.background, kFar, false};
@@ -237,7 +238,6 @@ void HostProcess::SendParcel(ProcessId to, Outbox* outbox) {
   receiver.placements.clear();
   receiver.objects.clear();
   receiver.count = 0;
-  ++receiver.untaken;
   ++untaken_;
 }
 

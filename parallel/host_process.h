@@ -90,7 +90,7 @@ class HostProcess : public Process {
   uint32_t in_flight_limit_ = 0;
   uint64_t in_flight_ = 0;
   uint64_t samples_done_ = 0;
-  int untaken_ = 0;  // sum over the receivers
+  int untaken_ = 0;  // messages Objects sent and not yet reported as stored
   int ready_ = 0, reported_ = 0;
   std::vector<uint64_t> probes_;
   std::vector<Statistics> statistics_;

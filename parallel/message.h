@@ -67,6 +67,9 @@ inline Sample SampleOf(uint64_t token) {
   return {static_cast<int32_t>(token & 0xffffff), static_cast<int32_t>(token >> 24 & 0xffffff),
           static_cast<uint16_t>(token >> 48 & 0xff), (token >> 56 & 1) != 0};
 }
+// A sample that the picture does not have is a WireError: it came in a message. samples: as in the
+// settings.
+void CheckSample(const Sample& sample, const Camera& camera, int samples);
 
 // The part of a ray's state that is not the ray: how far it has been traced, and the best hit so
 // far.

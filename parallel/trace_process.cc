@@ -65,17 +65,19 @@ void TraceProcess::Receive(ProcessId from, std::span<const uint8_t> bytes, Outbo
 }
 
 void TraceProcess::Impl::On(ProcessId, SetUp& message, Outbox*) {
+  for (CellId c = 0; c < message.tree.size(); ++c) {
+    const Cell& cell = message.tree.cell(c);
+    if (cell.owner == kHost || cell.owner > message.options.processes) {
+      throw WireError("a cell without an owner");
+    }
+  }
+  if (!CheckView(message.scene.settings).empty()) throw WireError("a view that makes no sense");
   const Meter* kept = meter;
   std::destroy_at(this);  // nothing of an earlier frame stays
   std::construct_at(this, kept);
   self = message.id;
   options = message.options;
   tree = std::move(message.tree);
-  for (CellId c = 0; c < tree.size(); ++c) {
-    if (tree.cell(c).owner == kHost || tree.cell(c).owner > options.processes) {
-      throw WireError("a cell without an owner");
-    }
-  }
   camera = std::make_unique<Camera>(message.scene.settings, message.frame);
   scene = std::make_unique<Scene>(std::move(message.scene), message.frame);
   scene->any_transparent = message.any_transparent;
@@ -137,6 +139,7 @@ void TraceProcess::Impl::On(ProcessId, Distributed&, Outbox* outbox) {
 }
 
 void TraceProcess::Impl::On(ProcessId, PrimaryRays& message, Outbox*) {
+  for (const Sample& s : message.samples) CheckSample(s, *camera, scene->settings().samples);
   requests = std::max(0, requests - 1);
   statistics.demand_rays += message.samples.size();
   counts.primary_rays += message.samples.size();
@@ -169,6 +172,7 @@ void TraceProcess::Impl::Unpack(const TravellingRays& rays, RayQueue* to) const 
     travel.best_distance = p.best_distance;
     travel.best_rank = p.best_rank;
     check(travel);
+    CheckSample(SampleOf(p.token), *camera, scene->settings().samples);
     to->Push(camera->PrimaryRay(SampleOf(p.token)), {}, travel);
   }
   for (size_t i = 0; i < rays.bundle.size(); ++i) {
@@ -190,10 +194,20 @@ void TraceProcess::Impl::On(ProcessId from, RayTask& message, Outbox*) {
 }
 
 void TraceProcess::Impl::On(ProcessId, IntersectionTask& message, Outbox*) {
-  Unpack(message, &transferred);
+  RayQueue rays;
+  Unpack(message, &rays);
+  for (size_t i = 0; i < rays.size(); ++i) {
+    const Ray& ray = rays.bundle.rays[i];
+    const CellId cell = tree.At(ray.origin + rays.travel[i].best_distance * ray.direction);
+    if (cell == kNoCell || tree.cell(cell).owner != self) throw WireError("a hit of another's");
+  }
+  for (size_t i = 0; i < rays.size(); ++i) {
+    transferred.Push(rays.bundle.rays[i], rays.media(i), rays.travel[i]);
+  }
 }
 
 void TraceProcess::Impl::On(ProcessId, RayResults& message, Outbox* outbox) {
+  for (const ResultItem& item : message.results) pending.at(item.token >> 1);
   for (const ResultItem& item : message.results) {
     TakeResult(item.token, {item.color, item.distance, item.hit}, outbox);
   }
@@ -229,8 +243,12 @@ void TraceProcess::Impl::On(ProcessId from, CellRequest& message, Outbox* outbox
 }
 
 void TraceProcess::Impl::On(ProcessId, CellReply& message, Outbox*) {
-  if (!waiting.contains(message.cell) || cells_requested == 0)
+  const bool here =
+      std::any_of(arrived_cells.begin(), arrived_cells.end(),
+                  [&message](const CellReply& reply) { return reply.cell == message.cell; });
+  if (!waiting.contains(message.cell) || cells_requested == 0 || here) {
     throw WireError("a cell that nobody asked for");
+  }
   --cells_requested;
   arrived_cells.push_back(std::move(message));
 }

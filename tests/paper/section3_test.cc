@@ -66,9 +66,8 @@ TEST(PaperSection3, ClipListsAreInDepthOrderAndMissNoCellThatARayMeets) {
   size_t listed = 0, met = 0;
   for (const std::vector<Ray>& rays : Bundles(run)) {
     const auto list = PyraClip(run.tree, Pyramid::Around(rays), kFar, SkipNone);
-    EXPECT_TRUE(std::is_sorted(list.begin(), list.end(), [](const auto& a, const auto& b) {
-      return a.entry < b.entry;
-    }));
+    EXPECT_TRUE(std::is_sorted(list.begin(), list.end(),
+                               [](const auto& a, const auto& b) { return a.entry < b.entry; }));
     std::set<CellId> cells;
     for (const ClippedCell& clipped : list) cells.insert(clipped.cell);
     EXPECT_EQ(cells.size(), list.size()) << "a cell stands in the list twice";
@@ -114,8 +113,7 @@ TEST(PaperSection3, ADemandDrivenTaskFetchesOnlyCellsOfItsClipList) {
 TEST(PaperSection3, ShadowRaysNeverLeaveTheProcessThatSpawnedThem) {
   const std::string text = Balls(3, 32);
   const OpCounts sequential = RenderSequentially(text).counts;
-  for (Schedule schedule :
-       {Schedule::kDataParallel, Schedule::kDemandDriven, Schedule::kHybrid}) {
+  for (Schedule schedule : {Schedule::kDataParallel, Schedule::kDemandDriven, Schedule::kHybrid}) {
     const RecordedRun run = RecordRun(text, ManyCells(schedule, 6), 3);
     for (const SentMessage& s : run.sent) {
       for (const Traveller& t : run.Travellers(s)) EXPECT_NE(t.ray.kind, RayKind::kShadow);

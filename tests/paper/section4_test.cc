@@ -110,8 +110,7 @@ TEST(PaperSection4, OnlyTheSubdivisionIsDuplicated) {
       resident = resident || run.tree.cell(c).resident;
       expected.emplace(run.tree.cell(c).owner, object.object.rank);
     });
-    for (ProcessId p = 1; resident && p <= kProcesses; ++p)
-      expected.emplace(p, object.object.rank);
+    for (ProcessId p = 1; resident && p <= kProcesses; ++p) expected.emplace(p, object.object.rank);
     everywhere += resident;
     ++all;
   }
@@ -335,8 +334,7 @@ TEST(PaperSection4, AVoidGoesStraightToTheHost) {
 // Every arrow of the run is one of the catalogue.
 TEST(PaperSection4, MessagesFlowAlongTheArrowsOfFigure5) {
   std::set<Tag> seen;
-  for (Schedule schedule :
-       {Schedule::kDataParallel, Schedule::kDemandDriven, Schedule::kHybrid}) {
+  for (Schedule schedule : {Schedule::kDataParallel, Schedule::kDemandDriven, Schedule::kHybrid}) {
     RunOptions options = HybridOptions();
     options.schedule = schedule;
     for (const SentMessage& s : RecordRun(Balls(2, 24), options, 1).sent) {
