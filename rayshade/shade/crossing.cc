@@ -10,13 +10,14 @@ namespace rayshade {
 
 namespace {
 
-// A search for further objects starts this much behind a hit, relatively: more than what a distance loses on its way
-// into object space and back, so that the same hit is not found again.
+// A search for further objects starts this much behind a hit, relatively: more than what a distance
+// loses on its way into object space and back, so that the same hit is not found again.
 constexpr double kBehind = 1e-12;
 
-// All crossings of one object, each searched from kEpsilon behind the one before, as in Rayshade: an object's enter
-// rule and the inside of CSG need the ray to have left the surface it comes from. That other objects' crossings do not
-// enter here keeps the result independent of what else a set holds.
+// All crossings of one object, each searched from kEpsilon behind the one before, as in Rayshade:
+// an object's enter rule and the inside of CSG need the ray to have left the surface it comes from.
+// That other objects' crossings do not enter here keeps the result independent of what else a set
+// holds.
 void CollectOf(const Scene& scene, const ObjectSet& set, uint32_t object, const Ray& shadow,
                double limit, std::vector<ShadowCrossing>* crossings, OpCounts* counts) {
   Ray rest = shadow;
@@ -67,7 +68,8 @@ std::optional<Color> FoldCrossings(std::vector<ShadowCrossing>* crossings, Color
   const ShadowCrossing* medium = nullptr;  // what the ray is inside of
   double from = 0;
   for (const ShadowCrossing& c : *crossings) {
-    if (c.distance < from) continue;  // within kEpsilon of the last one: not met by a ray that starts behind it
+    if (c.distance < from)
+      continue;  // within kEpsilon of the last one: not met by a ray that starts behind it
     if (c.opaque) return std::nullopt;
     if (medium != nullptr && medium->extinct != 1) {
       light = std::pow(medium->extinct, c.distance - from) * light;
