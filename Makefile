@@ -44,7 +44,7 @@ PROGRAMS := $(BUILD)/rayshade $(patsubst scenes/%.cc,$(BUILD)/%,$(wildcard scene
   $(if $(wildcard parallel/pvm/trace_main.cc),$(BUILD)/prayshade-trace) \
   $(if $(wildcard parallel/sim/sim_main.cc),$(BUILD)/prayshade-sim)
 
-.PHONY: all deps demo test reference doc lint help clean
+.PHONY: all deps demo test reference doc lint help clean bench
 all: $(PROGRAMS)
 
 help:
@@ -53,6 +53,7 @@ help:
 	@echo "make test       build and run every test"
 	@echo "make reference  compare with the pictures of the original program"
 	@echo "make doc        print doc/messages.md from the catalogue of messages"
+	@echo "make bench      ratios of tracing times (BENCH_RUNS=5 BENCH_PIXELS=1024)"
 	@echo "make lint       who includes whom, and the format"
 	@echo "make deps       install what is missing for all of this (apt-get; root or sudo)"
 	@echo "make clean      remove build/"
@@ -125,6 +126,13 @@ $(BUILD)/print_messages: $(OBJ)/tests/parallel/print_messages_main.o $(PARALLEL_
 	$(LINK)
 doc: $(BUILD)/print_messages
 	$(BUILD)/print_messages > doc/messages.md
+
+# Ratios of tracing times; the loop of Embree calls is built where libembree-dev is there.
+$(BUILD)/embree_loop: tests/bench/embree_loop.cc
+	@mkdir -p $(@D)
+	$(CXX) -std=c++20 -O3 -march=native -o $@ $< -lembree3
+bench: all $(if $(wildcard /usr/include/embree3/rtcore.h),$(BUILD)/embree_loop)
+	@tests/bench/bench.sh $(BUILD)
 
 lint:
 	@tests/support/lint.sh

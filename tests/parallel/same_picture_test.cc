@@ -82,6 +82,30 @@ TEST_P(EverySchedule, AnyOrderOfEventsMakesTheSequentialPicture) {
   }
 }
 
+TEST_P(EverySchedule, LargerBallsMakeTheSequentialPicture) {
+  for (int size : {4, 5}) {
+    const std::string text = Balls(size, 40);
+    const TestPicture sequential = RenderSequentially(text);
+    RunOptions options = SmallCells(GetParam(), size == 4 ? 8 : 5);
+    options.cell_bytes = 64 << 10;
+    options.cache = 300000;
+    options.resident = 200000;
+    ExpectSame(text, sequential, options, size);
+  }
+}
+
+TEST_P(EverySchedule, TheRoomMakesTheSequentialPicture) {
+  const std::string text = Room(32);
+  const TestPicture sequential = RenderSequentially(text);
+  EXPECT_GT(sequential.counts.reflected_rays, 0u);
+  for (int processes : {1, 6}) {
+    RunOptions options = SmallCells(GetParam(), processes);
+    options.cell_bytes = 64 << 10;
+    options.cache = 400000;
+    ExpectSame(text, sequential, options, processes);
+  }
+}
+
 TEST_P(EverySchedule, HardScenesMakeTheSequentialPicture) {
   for (const auto& [name, text] : HardScenes()) {
     SCOPED_TRACE(name);

@@ -1,8 +1,12 @@
 // Scenes made for tests; see scenes.h.
 #include "tests/support/scenes.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <functional>
 
 #include "rayshade/common/vector.h"
 
@@ -55,6 +59,23 @@ std::string Balls(int size, int pixels) {
       View(pixels, "2.1 1.3 1.7", "0 0 0") + kSurfaces + "light 1 point 4 3 2\ngrid 10 10 10\n";
   Flake(size, {0, 0, 0}, 0.5, {0, 0, 1}, &text);
   return text + "end\n";
+}
+
+std::string Room(int pixels) {
+  std::string text;
+  const std::function<void(const std::string&)> append = [&](const std::string& name) {
+    std::ifstream file("scenes/" + name);
+    EXPECT_TRUE(file.good()) << "scenes/" << name << ": tests run in the project's folder";
+    for (std::string line; std::getline(file, line);) {
+      if (line.rfind("#include \"", 0) == 0) {
+        append(line.substr(10, line.find('"', 10) - 10));
+      } else {
+        text += line + "\n";
+      }
+    }
+  };
+  append("room8.ray");
+  return text + Text("screen %d %d\n", pixels, pixels);
 }
 
 std::string FacingMirrors() {

@@ -10,6 +10,8 @@ namespace rayshade::parallel {
 // Haines' balls of a size with the paper's view, `pixels` x `pixels`, one sample per pixel [RJ
 // s.5].
 std::string Balls(int size, int pixels);
+// The project's conference room with 8 lights (scenes/room8.ray), its includes put in.
+std::string Room(int pixels);
 // Two mirrors facing each other, a coloured ball between them, cut by a voxel border.
 std::string FacingMirrors();
 // Transparent and opaque balls and panes, with coloured shadows and total reflection.
