@@ -175,22 +175,20 @@ Hit CellTracer::Locate(const Ray& ray, double distance, Rank rank, OpCounts* cou
 
 void CellTracer::LocateAll(std::span<const Ray> rays, std::span<const Travel> travel,
                            std::span<Hit> hits, OpCounts* counts) {
-  some_rays_.assign(rays.begin(), rays.end());
+  // Ray by ray: alone, each visits only what lies at the place of its hit; a bundle would visit all
+  // that is in front of it.
   for (size_t i = 0; i < rays.size(); ++i) {
+    const double distance = travel[i].best_distance;
+    const Rank rank = travel[i].best_rank;
+    Ray ray = rays[i];
+    ray.min_distance = std::max(ray.min_distance, distance * (1 - kLocateWindow));
     hits[i] = Hit();
-    hits[i].distance = travel[i].best_distance;
-    hits[i].rank =
-        travel[i].best_rank + 1;  // the hit itself is the only one that comes before this
-    // Nothing but the place of the hit has to be searched.
-    some_rays_[i].min_distance =
-        std::max(rays[i].min_distance, travel[i].best_distance * (1 - kLocateWindow));
-  }
-  own_->Nearest(some_rays_, hits, counts);
-  for (size_t i = 0; i < rays.size(); ++i) {
-    if (hits[i].distance == travel[i].best_distance && hits[i].rank == travel[i].best_rank)
-      continue;
+    hits[i].distance = distance;
+    hits[i].rank = rank + 1;  // the hit itself is the only one that comes before this
+    own_->Nearest({&ray, 1}, {&hits[i], 1}, counts);
+    if (hits[i].distance == distance && hits[i].rank == rank) continue;
     // A kind whose arithmetic depends on where the search begins: once more from there.
-    hits[i] = Locate(rays[i], travel[i].best_distance, travel[i].best_rank, counts);
+    hits[i] = Locate(rays[i], distance, rank, counts);
     CHECK(hits[i].set != nullptr);
   }
 }

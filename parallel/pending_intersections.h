@@ -7,7 +7,7 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
+#include <memory>
 #include <vector>
 
 #include "parallel/message.h"
@@ -15,16 +15,21 @@
 
 namespace rayshade::parallel {
 
-struct PendingIntersection {
+// What most intersections need comes first: many are pending, and each of their cache lines is
+// fetched from memory twice.
+struct alignas(64) PendingIntersection {
+  ReturnAddress back;
   bool in_use = false;
   bool in_air = true;
-  ReturnAddress back;
-  Ray ray;  // that was shaded
+  bool reflected_waits = false;       // for the transmitted ray
+  RayKind kind = RayKind::kPrimary;   // of the ray that was shaded
   double distance = 0;
   Color lights;
   Secondary secondary;
-  RayResult transmitted, reflected;
-  RayBundle waiting;  // the reflected ray while the transmitted one is on its way; else empty
+
+  Ray ray;                // that was shaded; where there is an atmosphere
+  RayResult transmitted;  // where reflected_waits has been set
+  RayBundle waiting;      // the reflected ray where reflected_waits has been set
 };
 
 class PendingIntersections {
@@ -32,30 +37,34 @@ class PendingIntersections {
   // A free slot, now in use; what stands in it is left over. Slots never move.
   uint32_t Allocate() {
     if (free_.empty()) {
-      free_.push_back(static_cast<uint32_t>(slots_.size()));
-      slots_.emplace_back();
+      const uint32_t first = static_cast<uint32_t>(chunks_.size() * kChunk);
+      chunks_.push_back(std::make_unique<PendingIntersection[]>(kChunk));
+      for (uint32_t i = kChunk; i-- > 0;) free_.push_back(first + i);
     }
     const uint32_t slot = free_.back();
     free_.pop_back();
-    slots_[slot].in_use = true;
+    Slot(slot).in_use = true;
     return slot;
   }
   // A slot that is not in use is a WireError: its number came in a message.
   PendingIntersection& at(uint64_t slot) {
-    if (slot >= slots_.size() || !slots_[slot].in_use) {
+    if (slot >= chunks_.size() * kChunk || !Slot(slot).in_use) {
       throw WireError("a result for no intersection");
     }
-    return slots_[slot];
+    return Slot(slot);
   }
   void Free(uint64_t slot) {
     at(slot).in_use = false;
     free_.push_back(static_cast<uint32_t>(slot));
   }
-  size_t size() const { return slots_.size() - free_.size(); }
-  size_t bytes() const { return slots_.size() * sizeof(PendingIntersection); }
+  size_t size() const { return chunks_.size() * kChunk - free_.size(); }
+  size_t bytes() const { return chunks_.size() * kChunk * sizeof(PendingIntersection); }
 
  private:
-  std::deque<PendingIntersection> slots_;
+  static constexpr size_t kChunk = 16;
+  PendingIntersection& Slot(uint64_t slot) { return chunks_[slot / kChunk][slot % kChunk]; }
+
+  std::vector<std::unique_ptr<PendingIntersection[]>> chunks_;
   std::vector<uint32_t> free_;
 };
 

@@ -159,16 +159,17 @@ void TraceProcess::Impl::Lit(const Ray& ray, std::span<const Medium> media, doub
   PendingIntersection& p = pending.at(slot);
   p.in_air = media.empty();
   p.back = back;
-  p.ray = ray;
+  p.kind = ray.kind;
   p.distance = distance;
   p.lights = lights;
   p.secondary = secondary;
-  p.waiting.clear();
+  if (!scene->spec.atmosphere.effects.empty()) p.ray = ray;
+  p.reflected_waits = !transmitted.empty() && !reflected.empty();
   if (transmitted.empty()) {
     Launch(reflected, {self, slot << 1 | 1});
     return;
   }
-  if (!reflected.empty()) p.waiting = reflected;
+  if (p.reflected_waits) p.waiting = reflected;
   Launch(transmitted, {self, slot << 1});
 }
 
@@ -202,16 +203,17 @@ void TraceProcess::Impl::Deliver(const ReturnAddress& back, RayKind kind, const 
 void TraceProcess::Impl::TakeResult(uint64_t token, const RayResult& result, Outbox* outbox) {
   const uint64_t slot = token >> 1;
   PendingIntersection& p = pending.at(slot);
-  ((token & 1) == 0 ? p.transmitted : p.reflected) = result;
-  if (!p.waiting.empty()) {
+  if (p.reflected_waits) {
+    p.transmitted = result;
+    p.reflected_waits = false;
     Launch(p.waiting, {self, slot << 1 | 1});
-    p.waiting.clear();
     return;
   }
-  const RayResult shaded =
-      Shade(*scene, p.ray, p.in_air, p.distance, p.lights, p.secondary, p.transmitted, p.reflected);
+  const bool both = p.secondary.transmitted.wanted && p.secondary.reflected.wanted;
+  const RayResult shaded = Shade(*scene, p.ray, p.in_air, p.distance, p.lights, p.secondary,
+                                 both ? p.transmitted : result, result);
   const ReturnAddress back = p.back;
-  const RayKind kind = p.ray.kind;
+  const RayKind kind = p.kind;
   pending.Free(slot);
   Deliver(back, kind, shaded, outbox);
 }
