@@ -90,31 +90,7 @@ struct ObjectSpool::Impl {
 ObjectSpool::ObjectSpool() : impl_(std::make_unique<Impl>()) {}
 ObjectSpool::~ObjectSpool() = default;
 
-SurfaceId ObjectSpool::AddSurface(const Surface& surface) {
-  return impl_->skeleton.AddSurface(surface);
-}
-TextureId ObjectSpool::AddTexture(const TextureSpec& texture) {
-  return impl_->skeleton.AddTexture(texture);
-}
-void ObjectSpool::AddLight(const LightSpec& light) { impl_->skeleton.AddLight(light); }
-void ObjectSpool::SetAtmosphere(const Atmosphere& atmosphere) {
-  impl_->skeleton.SetAtmosphere(atmosphere);
-}
-void ObjectSpool::AddPrimitive(GeomSpec&& spec, Attributes&& attributes) {
-  impl_->skeleton.AddPrimitive(std::move(spec), std::move(attributes));
-}
-void ObjectSpool::AddInstance(DefinitionId definition, Attributes&& attributes) {
-  impl_->skeleton.AddInstance(definition, std::move(attributes));
-}
-void ObjectSpool::BeginAggregate(AggregateKind kind, const int counts[3]) {
-  impl_->skeleton.BeginAggregate(kind, counts);
-}
-bool ObjectSpool::EndAggregate(Attributes&& attributes) {
-  return impl_->skeleton.EndAggregate(std::move(attributes));
-}
-void ObjectSpool::BeginDefinition() { impl_->skeleton.BeginDefinition(); }
-DefinitionId ObjectSpool::EndDefinition() { return impl_->skeleton.EndDefinition(); }
-void ObjectSpool::OnSettings(const Settings& settings) { impl_->skeleton.OnSettings(settings); }
+Skeleton& ObjectSpool::skeleton() { return impl_->skeleton; }
 
 const Settings& ObjectSpool::settings() const { return impl_->skeleton.settings(); }
 const SceneSpec& ObjectSpool::scene() const { return impl_->spec; }

@@ -9,7 +9,7 @@
 
 #include "parallel/message.h"
 #include "rayshade/scene/scene.h"
-#include "rayshade/scene/scene_sink.h"
+#include "rayshade/scene/skeleton_sink.h"
 
 namespace rayshade::parallel {
 
@@ -21,24 +21,12 @@ struct SpooledObject {
   WireObject object;   // decoded only where asked for
 };
 
-class ObjectSpool : public SceneSink {
+class ObjectSpool : public SkeletonSink {
  public:
   // Files are made in $TMPDIR or /tmp and vanish with the process. Throws std::runtime_error where
   // they cannot be written (a full disk).
   ObjectSpool();
   ~ObjectSpool() override;
-
-  SurfaceId AddSurface(const Surface& surface) override;
-  TextureId AddTexture(const TextureSpec& texture) override;
-  void AddLight(const LightSpec& light) override;
-  void SetAtmosphere(const Atmosphere& atmosphere) override;
-  void AddPrimitive(GeomSpec&& spec, Attributes&& attributes) override;
-  void AddInstance(DefinitionId definition, Attributes&& attributes) override;
-  void BeginAggregate(AggregateKind kind, const int counts[3]) override;
-  bool EndAggregate(Attributes&& attributes) override;
-  void BeginDefinition() override;
-  DefinitionId EndDefinition() override;
-  void OnSettings(const Settings& settings) override;
 
   // After parsing. Places all objects as they stand in this frame; must be called before what
   // follows.
@@ -54,6 +42,8 @@ class ObjectSpool : public SceneSink {
   bool Next(bool geometry, SpooledObject* object);
 
  private:
+  Skeleton& skeleton() override;
+
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

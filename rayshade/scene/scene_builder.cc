@@ -138,30 +138,7 @@ struct SceneBuilder::Impl {
 SceneBuilder::SceneBuilder() : impl_(std::make_unique<Impl>()) {}
 SceneBuilder::~SceneBuilder() = default;
 
-SurfaceId SceneBuilder::AddSurface(const Surface& surface) {
-  return impl_->skeleton.AddSurface(surface);
-}
-TextureId SceneBuilder::AddTexture(const TextureSpec& texture) {
-  return impl_->skeleton.AddTexture(texture);
-}
-void SceneBuilder::AddLight(const LightSpec& light) { impl_->skeleton.AddLight(light); }
-void SceneBuilder::SetAtmosphere(const Atmosphere& atmosphere) {
-  impl_->skeleton.SetAtmosphere(atmosphere);
-}
-void SceneBuilder::AddPrimitive(GeomSpec&& spec, Attributes&& attributes) {
-  impl_->skeleton.AddPrimitive(std::move(spec), std::move(attributes));
-}
-void SceneBuilder::AddInstance(DefinitionId definition, Attributes&& attributes) {
-  impl_->skeleton.AddInstance(definition, std::move(attributes));
-}
-void SceneBuilder::BeginAggregate(AggregateKind kind, const int counts[3]) {
-  impl_->skeleton.BeginAggregate(kind, counts);
-}
-bool SceneBuilder::EndAggregate(Attributes&& attributes) {
-  return impl_->skeleton.EndAggregate(std::move(attributes));
-}
-void SceneBuilder::BeginDefinition() { impl_->skeleton.BeginDefinition(); }
-DefinitionId SceneBuilder::EndDefinition() { return impl_->skeleton.EndDefinition(); }
+Skeleton& SceneBuilder::skeleton() { return impl_->skeleton; }
 
 void SceneBuilder::OnSettings(const Settings& settings) {
   impl_->skeleton.OnSettings(settings);

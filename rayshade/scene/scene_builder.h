@@ -6,25 +6,15 @@
 
 #include "rayshade/accel/object_set.h"
 #include "rayshade/scene/scene.h"
-#include "rayshade/scene/scene_sink.h"
+#include "rayshade/scene/skeleton_sink.h"
 
 namespace rayshade {
 
-class SceneBuilder : public SceneSink {
+class SceneBuilder : public SkeletonSink {
  public:
   SceneBuilder();
   ~SceneBuilder() override;
 
-  SurfaceId AddSurface(const Surface& surface) override;
-  TextureId AddTexture(const TextureSpec& texture) override;
-  void AddLight(const LightSpec& light) override;
-  void SetAtmosphere(const Atmosphere& atmosphere) override;
-  void AddPrimitive(GeomSpec&& spec, Attributes&& attributes) override;
-  void AddInstance(DefinitionId definition, Attributes&& attributes) override;
-  void BeginAggregate(AggregateKind kind, const int counts[3]) override;
-  bool EndAggregate(Attributes&& attributes) override;
-  void BeginDefinition() override;
-  DefinitionId EndDefinition() override;
   void OnSettings(const Settings& settings) override;
 
   // After parsing: what file and command line say together.
@@ -39,6 +29,8 @@ class SceneBuilder : public SceneSink {
   Built Build(int frame);
 
  private:
+  Skeleton& skeleton() override;
+
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
