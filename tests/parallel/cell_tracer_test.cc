@@ -1,0 +1,217 @@
+// Tracing against a part of the scene, cell after cell, finds what the whole scene has.
+#include "parallel/cell_tracer.h"
+
+#include <gtest/gtest.h>
+
+#include "rayshade/common/keyed_random.h"
+
+namespace rayshade::parallel {
+namespace {
+
+// Spheres in a cube that two processes share; process 1 traces, and cells of process 2 come one by
+// one.
+class CellTracerTest : public testing::Test {
+ protected:
+  CellTracerTest() : tree_({{-1.2, -1.2, -1.2}, {1.2, 1.2, 1.2}}), scene_(OnePlacement(), 0) {
+    scene_.spec.surfaces.resize(1);
+    for (int axis = 0; axis < 3; ++axis) {
+      for (CellId c = 0, n = static_cast<CellId>(tree_.size()); c < n; ++c) tree_.Cut(c, axis, .1);
+    }
+    for (CellId c = 0; c < tree_.size(); ++c) tree_.cell(c).owner = c % 3 == 0 ? 1 : 2;
+    for (int i = 0; i < 120; ++i)
+      spheres_.push_back({Number(.03, .12), {Number(-1, 1), Number(-1, 1), Number(-1, 1)}});
+    for (const SphereSpec& s : spheres_)
+      tree_.ForEachOver(BoundsOf(s), [this](CellId c) { ++tree_.cell(c).objects; });
+    all_ = Set([](CellId) { return true; });
+    own_ = Set([this](CellId c) { return tree_.cell(c).owner == 1; });
+  }
+
+  static SceneSpec OnePlacement() {
+    SceneSpec spec;
+    Placement placement;
+    placement.levels.resize(1);
+    placement.Finish();
+    spec.placements = {placement};
+    return spec;
+  }
+  static Bounds BoundsOf(const SphereSpec& s) {
+    Bounds bounds{s.center, s.center};
+    bounds.Grow(s.radius);
+    return bounds;
+  }
+  double Number(double low, double high) {
+    return low + (high - low) * KeyedRandom(7, RandomUse::kTime, drawn_++);
+  }
+
+  // The objects of the cells that are wanted.
+  template <class Wanted>
+  std::unique_ptr<ObjectSet> Set(Wanted wanted) {
+    auto set = std::make_unique<ObjectSet>(&scene_);
+    for (size_t i = 0; i < spheres_.size(); ++i) {
+      bool in = false;
+      tree_.ForEachOver(BoundsOf(spheres_[i]), [&](CellId c) { in = in || wanted(c); });
+      if (in) set->Add(spheres_[i], 0, static_cast<Rank>(i + 1));
+    }
+    set->Build();
+    return set;
+  }
+
+  std::vector<Ray> Rays(size_t n, double spread) {
+    const Vector eye{Number(-3, 3), Number(-3, 3), Number(-3, 3)};
+    std::vector<Ray> rays(n);
+    for (Ray& ray : rays) {
+      ray.origin = eye;
+      const Vector aim{Number(-1, 1), Number(-1, 1), Number(-1, 1)};
+      ray.direction = Normalized(spread * aim - eye);
+    }
+    return rays;
+  }
+
+  // Fetches what the rays halt at until all are conclusive.
+  std::vector<Hit> TraceToTheEnd(CellTracer* tracer, ObjectCache* cache,
+                                 std::span<const Ray> rays) {
+    const size_t n = rays.size();
+    std::vector<Travel> travel(n);
+    std::vector<Hit> hits(n);
+    std::vector<Halt> halts(n);
+    for (int round = 0; round < 50; ++round) {
+      tracer->Nearest(rays, travel, hits, halts, &counts_);
+      CellId next = kNoCell;
+      for (size_t i = 0; i < n; ++i) {
+        travel[i].best_distance = hits[i].distance;
+        travel[i].best_rank = hits[i].rank;
+        travel[i].own_done = true;
+        if (halts[i].cell != kNoCell) next = travel[i].resume = halts[i].cell;
+      }
+      if (next == kNoCell) return hits;
+      EXPECT_FALSE(tracer->holds(next));
+      cache->Put(next, Set([next](CellId c) { return c == next; }));
+    }
+    ADD_FAILURE() << "no end";
+    return hits;
+  }
+
+  CellTree tree_;
+  Scene scene_;
+  std::vector<SphereSpec> spheres_;
+  std::unique_ptr<ObjectSet> all_, own_;
+  uint32_t drawn_ = 0;
+  OpCounts counts_;
+};
+
+TEST_F(CellTracerTest, FindsTheNearestHitsOfTheWholeScene) {
+  size_t found = 0;
+  for (size_t n : {1u, 1u, 1u, 5u, 64u, 64u, 64u, 64u}) {  // by walk and by clip list
+    ObjectCache cache(0);
+    CellTracer tracer(&scene_, &tree_, 1, own_.get(), &cache);
+    const std::vector<Ray> rays = Rays(n, n == 5 ? 3 : .4);
+    std::vector<Hit> expected(n);
+    all_->Nearest(rays, expected, &counts_);
+    const std::vector<Hit> hits = TraceToTheEnd(&tracer, &cache, rays);
+    for (size_t i = 0; i < n; ++i) {
+      EXPECT_EQ(hits[i].distance, expected[i].distance);
+      EXPECT_EQ(hits[i].rank, expected[i].rank);
+      found += hits[i].found();
+    }
+    EXPECT_GT(cache.bytes(), 0u);
+  }
+  EXPECT_GT(found, 50u);
+}
+
+TEST_F(CellTracerTest, AnAnswerIsConclusiveUpToTheFirstCellThatIsNotHeld) {
+  ObjectCache cache(0);
+  CellTracer tracer(&scene_, &tree_, 1, own_.get(), &cache);
+  size_t halted = 0, ended = 0;
+  for (int i = 0; i < 300; ++i) {
+    const std::vector<Ray> ray = Rays(1, 1);
+    Travel travel;
+    Hit hit, whole;
+    Halt halt;
+    tracer.Nearest(ray, {&travel, 1}, {&hit, 1}, {&halt, 1}, &counts_);
+    all_->Nearest(ray, {&whole, 1}, &counts_);
+    if (halt.cell == kNoCell) {
+      EXPECT_EQ(hit.rank, whole.rank);
+      ended += hit.found();
+    } else {
+      EXPECT_EQ(tree_.cell(halt.cell).owner, 2);
+      EXPECT_GE(hit.distance, halt.entry) << "that hit was nearer: it ends the ray";
+      EXPECT_GE(whole.distance, halt.entry) << "a hit before the cell was lost";
+      ++halted;
+    }
+  }
+  EXPECT_GT(halted, 30u);
+  EXPECT_GT(ended, 10u);
+}
+
+TEST_F(CellTracerTest, ShadowRaysAreBlockedAsInTheWholeScene) {
+  size_t blocked = 0, free = 0;
+  for (size_t n : {1u, 1u, 1u, 1u, 64u, 64u, 64u}) {
+    ObjectCache cache(0);
+    CellTracer tracer(&scene_, &tree_, 1, own_.get(), &cache);
+    std::vector<ShadowRay> rays(n);
+    std::vector<double> limits(n, 4);
+    std::vector<Ray> plain = Rays(n, .6);
+    for (size_t i = 0; i < n; ++i) {
+      rays[i].ray = plain[i];
+      rays[i].limit = limits[i];
+    }
+    std::vector<uint8_t> expected(n);
+    all_->Block(plain, limits, expected, &counts_);
+    std::vector<CellTracer::Shadow> shadows(n);
+    for (size_t i = 0; i < n; ++i) shadows[i].shadow = &rays[i];
+    for (CellId next = 0; next != kNoCell;) {
+      tracer.Shadows(shadows, &counts_);
+      next = kNoCell;
+      for (CellTracer::Shadow& s : shadows) {
+        s.own_done = true;
+        if (s.halt.cell != kNoCell) next = s.resume = s.halt.cell;
+      }
+      if (next != kNoCell) cache.Put(next, Set([next](CellId c) { return c == next; }));
+    }
+    for (size_t i = 0; i < n; ++i) {
+      EXPECT_EQ(shadows[i].blocked, expected[i] != 0);
+      (expected[i] ? blocked : free) += 1;
+    }
+  }
+  EXPECT_GT(blocked, 20u);
+  EXPECT_GT(free, 20u);
+}
+
+TEST_F(CellTracerTest, AHitIsFoundAgainByDistanceAndRank) {
+  ObjectCache cache(0);
+  CellTracer tracer(&scene_, &tree_, 1, own_.get(), &cache);
+  size_t located = 0, unheld = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Ray ray = Rays(1, 1)[0];
+    Hit hit;
+    all_->Nearest({&ray, 1}, {&hit, 1}, &counts_);
+    if (!hit.found()) continue;
+    const CellId cell = tree_.At(ray.origin + hit.distance * ray.direction);
+    const Hit again = tracer.Locate(ray, hit.distance, hit.rank, &counts_);
+    EXPECT_EQ(again.distance, hit.distance);
+    EXPECT_EQ(again.rank, hit.rank);
+    if (tree_.cell(cell).owner == 1) {
+      EXPECT_EQ(again.set, own_.get());
+      ++located;
+    } else {
+      unheld += again.set == nullptr;
+    }
+  }
+  EXPECT_GT(located, 10u);
+  EXPECT_GT(unheld, 10u);
+}
+
+TEST_F(CellTracerTest, EmptyCellsAreHeldByEveryone) {
+  tree_.cell(1).objects = 0;
+  tree_.cell(2).resident = true;
+  ObjectCache cache(0);
+  const CellTracer tracer(&scene_, &tree_, 1, own_.get(), &cache);
+  EXPECT_TRUE(tracer.owns(0));
+  EXPECT_TRUE(tracer.owns(1));
+  EXPECT_TRUE(tracer.owns(2));
+  EXPECT_FALSE(tracer.owns(4));
+  EXPECT_FALSE(tracer.holds(4));
+}
+
+}  // namespace
+}  // namespace rayshade::parallel
