@@ -14,10 +14,12 @@ namespace rayshade::parallel {
 
 // Objects on their way to one trace process, encoded as they come: a parcel of a message Objects.
 struct HostProcess::Receiver {
+  std::vector<WireImage> images;
   std::vector<WirePlacement> placements;
   std::vector<uint8_t> objects;
   uint32_t count = 0;
   std::vector<bool> has_placement;  // by number in the run
+  std::vector<bool> has_image;      // by number
 };
 
 namespace {
@@ -216,6 +218,8 @@ void HostProcess::SendSetUp(Outbox* outbox) {
   message.frame = frame_;
   message.options = options_;
   message.scene = spool_->scene();
+  images_ = ImageTable(message.scene.textures);
+  message.images = images_.numbers();
   message.any_transparent = Scene(spool_->scene(), frame_).any_transparent;
   message.tree = tree_;
   for (ProcessId p = 1; p <= options_.processes; ++p) {
@@ -231,14 +235,23 @@ void HostProcess::SendParcel(ProcessId to, Outbox* outbox) {
   if (receiver.count == 0) return;
   ByteWriter w;
   w.Put(Objects::kTag);
+  w.Put(receiver.images);
   w.Put(receiver.placements);
   w.Put(receiver.count);
   w.PutRaw(receiver.objects);
   outbox->Send(to, std::move(w.bytes()));
+  receiver.images.clear();
   receiver.placements.clear();
   receiver.objects.clear();
   receiver.count = 0;
   ++untaken_;
+}
+
+void HostProcess::AddImage(uint32_t number, Receiver* receiver) {
+  receiver->has_image.resize(images_.size() + 1);
+  if (receiver->has_image[number]) return;
+  receiver->has_image[number] = true;
+  receiver->images.push_back({number, images_.image(number)});
 }
 
 // Objects go to the owners of the cells they touch, and to all where a cell is resident or where
@@ -269,12 +282,15 @@ bool HostProcess::Distribute(Outbox* outbox) {
     for (ProcessId p = 1; p <= options_.processes; ++p) {
       if (!wanted[p - 1]) continue;
       Receiver& receiver = receivers_[p - 1];
+      const auto send_image = [&](uint32_t image) { AddImage(image, &receiver); };
       const uint32_t number = object.object.placement;
       if (number >= receiver.has_placement.size()) receiver.has_placement.resize(number + 1);
       if (!receiver.has_placement[number]) {
         receiver.has_placement[number] = true;
         receiver.placements.push_back({number, spool_->placement(number)});
+        images_.ForEachOf(spool_->placement(number), send_image);
       }
+      images_.ForEachOf(object.object.geom, send_image);
       receiver.objects.insert(receiver.objects.end(), encoded.bytes().begin(),
                               encoded.bytes().end());
       ++receiver.count;

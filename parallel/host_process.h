@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "parallel/image_table.h"
 #include "parallel/message.h"
 #include "parallel/object_spool.h"
 #include "parallel/process.h"
@@ -60,6 +61,8 @@ class HostProcess : public Process {
   std::vector<std::string> TakeTexts();
 
  private:
+  struct Receiver;
+
   void On(ProcessId from, const ObjectsTaken& message, Outbox* outbox);
   void On(ProcessId from, const Ready& message, Outbox* outbox);
   void On(ProcessId from, const WorkRequest& message, Outbox* outbox);
@@ -73,6 +76,7 @@ class HostProcess : public Process {
   bool Distribute(Outbox* outbox);
   bool HandOut(Outbox* outbox);
   void SendParcel(ProcessId to, Outbox* outbox);
+  void AddImage(uint32_t number, Receiver* receiver);
   void Fail(const std::string& text);
 
   RunOptions options_;
@@ -85,7 +89,7 @@ class HostProcess : public Process {
   Phase phase_ = Phase::kSetUp;
   std::string failure_;
 
-  struct Receiver;
+  ImageTable images_;
   std::vector<Receiver> receivers_;  // of objects; one for each trace process
   uint32_t in_flight_limit_ = 0;
   uint64_t in_flight_ = 0;

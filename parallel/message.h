@@ -149,13 +149,26 @@ struct WirePlacement {
     a("placement", placement);
   }
 };
-// Objects together with the placements that they refer to.
+struct WireImage {
+  uint32_t number = 0;  // image_table.h
+  std::shared_ptr<const ImageData> image;
+
+  template <class A>
+  void Fields(A& a) {
+    a("number", number);
+    a("image", image);
+  }
+};
+// Objects together with the placements that they refer to and the images that they show, of which
+// those that the sender has sent to the same receiver before are left out.
 struct ObjectParcel {
+  std::vector<WireImage> images;
   std::vector<WirePlacement> placements;
   std::vector<WireObject> objects;
 
   template <class A>
   void Fields(A& a) {
+    a("images", images);
     a("placements", placements);
     a("objects", objects);
   }
@@ -177,7 +190,8 @@ struct SetUp {
   ProcessId id = 1;  // the receiver's own
   int32_t frame = 0;
   RunOptions options;
-  SceneSpec scene;  // without placements
+  SceneSpec scene;  // without placements and images
+  std::vector<uint32_t> images;  // number of each texture's image: image_table.h
   bool any_transparent =
       false;  // of the whole scene: shadow rays have to be followed through objects
   CellTree tree;
@@ -188,6 +202,7 @@ struct SetUp {
     a("frame", frame);
     a("options", options);
     a("scene", scene);
+    a("images", images);
     a("any_transparent", any_transparent);
     a("tree", tree);
   }

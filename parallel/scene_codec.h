@@ -105,6 +105,14 @@ template <class A> void Fields(A& a, AreaCellSpec& l) { a("corner", l.corner); a
 template <class A> void Fields(A& a, LightSpec& l) { a("intensity", l.intensity); a("noshadow", l.noshadow); a("source", l.source); }
 template <class A> void Fields(A& a, ImageData& i) {
   a("file", i.file); a("width", i.width); a("height", i.height); a("channels", i.channels); a("color", i.color); a("alpha", i.alpha);
+  if constexpr (A::kReading) {
+    const bool sized = i.width > 0 && i.height > 0 && (i.channels == 1 || i.channels == 3);
+    const uint64_t pixels = sized ? static_cast<uint64_t>(i.width) * static_cast<uint64_t>(i.height) : 0;
+    if (!sized || i.color.size() / static_cast<uint64_t>(i.channels) != pixels || i.color.size() % pixels != 0 ||
+        (!i.alpha.empty() && i.alpha.size() != pixels)) {
+      throw parallel::WireError("an image of another size than its pixels");
+    }
+  }
 }
 template <class A> void Fields(A& a, MappingSpec& m) {
   a("kind", m.kind); a("framed", m.framed); a("origin", m.origin); a("up", m.up); a("u_axis", m.u_axis);
@@ -137,8 +145,9 @@ template <class A> void Fields(A& a, WindySpec& t) {
   a("octaves", t.octaves); a("tscale", t.tscale); a("hscale", t.hscale); a("offset", t.offset);
 }
 template <class A> void Fields(A& a, MountSpec& t) { a("map", t.map); a("turbulence", t.turbulence); a("slope", t.slope); }
+// The image itself travels with the objects that show it.
 template <class A> void Fields(A& a, ImageSpec& t) {
-  a("image", t.image); a("component", t.component); a("range_low", t.range_low); a("range_high", t.range_high);
+  a("component", t.component); a("range_low", t.range_low); a("range_high", t.range_high);
   a("smooth", t.smooth); a("surface", t.surface); a("tile_u", t.tile_u); a("tile_v", t.tile_v); a("mapping", t.mapping);
 }
 template <class A> void Fields(A& a, TextureSpec& t) { a("kind", t.kind); a("transforms", t.transforms); }

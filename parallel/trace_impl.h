@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "parallel/cell_tracer.h"
+#include "parallel/image_table.h"
 #include "parallel/message.h"
 #include "parallel/object_cache.h"
 #include "parallel/pending_intersections.h"
@@ -67,6 +68,9 @@ struct TraceProcess::Impl {
   void On(ProcessId from, Stop& message, Outbox* outbox);
   template <class Message>
   void Handle(ProcessId from, std::span<const uint8_t> bytes, Outbox* outbox);
+  void TakeImage(const WireImage& image);
+  void CheckAttributes(const Attributes& attributes) const;  // WireError where they name nothing
+  void CheckInside(const GeomSpec& geom) const;              // of a composite
   void Install(const ObjectParcel& parcel, ObjectSet* set);
   PlacementId LocalPlacement(uint32_t number) const;
   bool Work(Outbox* outbox);
@@ -110,6 +114,8 @@ struct TraceProcess::Impl {
   std::vector<uint32_t> placement_numbers;         // in the run, by PlacementId
   std::map<uint32_t, Member> members;              // by number in the run
   std::map<const Geom*, uint32_t> member_numbers;  // looked up only, never walked
+  ImageTable images;
+  std::vector<std::vector<bool>> images_sent;  // by process, by number
   std::unique_ptr<ObjectSet> own;
   std::unique_ptr<ObjectCache> cache;
   std::unique_ptr<CellTracer> tracer;

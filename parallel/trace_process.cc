@@ -81,6 +81,8 @@ void TraceProcess::Impl::On(ProcessId, SetUp& message, Outbox*) {
   camera = std::make_unique<Camera>(message.scene.settings, message.frame);
   scene = std::make_unique<Scene>(std::move(message.scene), message.frame);
   scene->any_transparent = message.any_transparent;
+  images = ImageTable(scene->spec.textures, std::move(message.images));
+  images_sent.assign(options.processes + 1u, std::vector<bool>(images.size() + 1));
   own = std::make_unique<ObjectSet>(scene.get());
   cache = std::make_unique<ObjectCache>(options.cache);
   packer = std::make_unique<RayPacker>(options.processes);
@@ -92,15 +94,46 @@ PlacementId TraceProcess::Impl::LocalPlacement(uint32_t number) const {
   return it->second;
 }
 
+// An image makes the textures that show it.
+void TraceProcess::Impl::TakeImage(const WireImage& image) {
+  if (!images.Put(image.number, image.image)) return;
+  for (TextureId t = 0; t < images.numbers().size(); ++t) {
+    if (images.numbers()[t] == image.number) scene->GiveImage(t, image.image);
+  }
+}
+
+void TraceProcess::Impl::CheckAttributes(const Attributes& attributes) const {
+  if (attributes.surface != kNoSurface && attributes.surface >= scene->spec.surfaces.size()) {
+    throw WireError("an object of no surface");
+  }
+  for (const TextureId t : attributes.textures) {
+    if (t >= scene->textures.size()) throw WireError("an object of no texture");
+    if (scene->textures[t] == nullptr) throw WireError("an object without its image");
+  }
+}
+
+void TraceProcess::Impl::CheckInside(const GeomSpec& geom) const {
+  const auto* composite = std::get_if<CompositeSpec>(&geom);
+  if (composite == nullptr) return;
+  if (composite->members == nullptr) throw WireError("a composite without members");
+  for (const PlacedSpec& member : *composite->members) {
+    CheckAttributes(member.attributes);
+    CheckInside(member.geom);
+  }
+}
+
 void TraceProcess::Impl::Install(const ObjectParcel& parcel, ObjectSet* set) {
+  for (const WireImage& image : parcel.images) TakeImage(image);
   for (const WirePlacement& p : parcel.placements) {
     const auto [it, added] = placements.try_emplace(p.number, scene->spec.placements.size());
     if (!added) continue;
+    for (const PathLevel& level : p.placement.levels) CheckAttributes(level.attributes);
     scene->spec.placements.push_back(p.placement);
     placement_numbers.push_back(p.number);
   }
   objects_taken += parcel.objects.size();
   for (const WireObject& object : parcel.objects) {
+    CheckInside(object.geom);
     const PlacementId placement = LocalPlacement(object.placement);
     if (object.member == 0) {
       set->Add(object.geom, placement, object.rank);
@@ -127,12 +160,12 @@ void TraceProcess::Impl::On(ProcessId, Distributed&, Outbox* outbox) {
   tracer = std::make_unique<CellTracer>(scene.get(), &tree, self, own.get(), cache.get());
   NoteBytes();
   Ready ready;
-  ready.bytes_held = own->bytes();
+  ready.bytes_held = own->bytes() + images.bytes();
   uint64_t largest_foreign = 0;
   for (CellId c = 0; c < tree.size(); ++c) {
     if (!tracer->owns(c)) largest_foreign = std::max(largest_foreign, tree.cell(c).bytes);
   }
-  ready.bytes_needed = own->bytes() + 2 * largest_foreign;
+  ready.bytes_needed = ready.bytes_held + 2 * largest_foreign;
   ready.probe = MathProbe();
   ready.machine = meter->machine();
   outbox->Send(kHost, Encode(ready));
@@ -216,11 +249,17 @@ void TraceProcess::Impl::On(ProcessId, RayResults& message, Outbox* outbox) {
 void TraceProcess::Impl::On(ProcessId from, CellRequest& message, Outbox* outbox) {
   if (message.cell >= tree.size() || !tracer->owns(message.cell))
     throw WireError("a request for a foreign cell");
+  if (from >= images_sent.size()) throw WireError("a request from nobody");
   CellReply reply;
   reply.cell = message.cell;
   Bounds box = tracer->box(message.cell);
   box.Grow(2 * tree.margin());
   std::vector<uint8_t> sent(placement_numbers.size());
+  const auto send_image = [&](uint32_t number) {
+    if (images_sent[from][number]) return;
+    images_sent[from][number] = true;
+    reply.parcel.images.push_back({number, images.image(number)});
+  };
   own->ForEachIn(box, [&](uint32_t object) {
     ObjectSet::Entry entry = own->entry(object);
     WireObject wire;
@@ -233,10 +272,12 @@ void TraceProcess::Impl::On(ProcessId from, CellRequest& message, Outbox* outbox
     } else {
       wire.geom = std::move(entry.spec);
     }
+    images.ForEachOf(wire.geom, send_image);
     reply.parcel.objects.push_back(std::move(wire));
     if (sent[entry.placement]++ == 0) {
       reply.parcel.placements.push_back(
           {placement_numbers[entry.placement], scene->placement(entry.placement)});
+      images.ForEachOf(scene->placement(entry.placement), send_image);
     }
   });
   outbox->Send(from, Encode(reply));
@@ -317,7 +358,7 @@ bool TraceProcess::Impl::Work(Outbox* outbox) {
 }
 
 void TraceProcess::Impl::NoteBytes() {
-  bytes_held = own->bytes() + cache->bytes() + tracer->bytes() + queue.bytes() +
+  bytes_held = own->bytes() + images.bytes() + cache->bytes() + tracer->bytes() + queue.bytes() +
                transferred.bytes() + pending.bytes() + packer->bytes() +
                waiting_rays * (sizeof(Ray) + sizeof(Travel)) +
                (waiting_shades.size() - free_waiting_shades.size()) * sizeof(WaitingShade);

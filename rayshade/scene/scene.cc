@@ -30,7 +30,9 @@ ShutterInterval FrameShutter(const Settings& settings, int frame) {
 
 Scene::Scene(SceneSpec written, int frame) : spec(std::move(written)) {
   for (const TextureSpec& texture : spec.textures) {
-    textures.push_back(MakeTexture(texture, spec.surfaces));
+    const auto* image = std::get_if<ImageSpec>(&texture.kind);
+    const bool waits = image != nullptr && image->image == nullptr;
+    textures.push_back(waits ? nullptr : MakeTexture(texture, spec.surfaces));
   }
   const bool keep_dark = AnyTranslucent(spec);
   for (auto light = spec.lights.rbegin(); light != spec.lights.rend(); ++light) {
@@ -44,12 +46,17 @@ Scene::Scene(SceneSpec written, int frame) : spec(std::move(written)) {
   shutter = FrameShutter(spec.settings, frame);
 }
 
+void Scene::GiveImage(TextureId texture, std::shared_ptr<const ImageData> image) {
+  std::get<ImageSpec>(spec.textures[texture].kind).image = std::move(image);
+  textures[texture] = MakeTexture(spec.textures[texture], spec.surfaces);
+}
+
 size_t Scene::bytes() const {
   size_t bytes = sizeof(Scene) + spec.surfaces.capacity() * sizeof(Surface) +
                  spec.textures.capacity() * sizeof(TextureSpec) +
                  spec.lights.capacity() * (sizeof(LightSpec) + sizeof(LightSpec)) +
                  spec.placements.capacity() * sizeof(Placement);
-  for (const auto& texture : textures) bytes += texture->bytes();
+  for (const auto& texture : textures) bytes += texture == nullptr ? 0 : texture->bytes();
   for (const Placement& placement : spec.placements) {
     for (const PathLevel& level : placement.levels) {
       bytes += sizeof(PathLevel) + level.attributes.transforms.size() * sizeof(TransformLink) +

@@ -31,12 +31,12 @@ struct SceneSpec {
 ShutterInterval FrameShutter(const Settings& settings, int frame);
 
 struct Scene {
-  // Builds textures and lights; adds the default directional light where the file has none
+  // Builds textures and lights, but no image texture whose image is not there yet; adds the default directional light where the file has none
   // [rayshade4/1 s.4.9].
   Scene(SceneSpec spec, int frame);
 
   SceneSpec spec;
-  std::vector<std::unique_ptr<const Texture>> textures;
+  std::vector<std::unique_ptr<const Texture>> textures;  // null: waits for its image
   // In visiting order: last declared first. Lights of zero intensity are left out where no surface
   // is translucent: nothing could tell that they are there.
   std::vector<std::unique_ptr<const Light>> lights;
@@ -50,6 +50,8 @@ struct Scene {
   const Surface& bound_surface(SurfaceId id) const {
     return id == kNoSurface ? default_surface : spec.surfaces[id];
   }
+  // The image of an image texture that came without; builds the texture.
+  void GiveImage(TextureId texture, std::shared_ptr<const ImageData> image);
   size_t bytes() const;
 };
 

@@ -42,6 +42,8 @@ Message Example() {
     placement.levels[1].clip = Bounds{{0, 0, 0}, {1, 1, 1}};
     placement.Finish();
     message.parcel.placements = {{5, placement}};
+    message.parcel.images = {
+        {1, std::make_shared<ImageData>(ImageData{"i", 2, 1, 3, {1, 2, 3, 4, 5, 6}, {7, 8}})}};
     const auto members = std::make_shared<std::vector<PlacedSpec>>(2);
     const GeomSpec specs[] = {SphereSpec{2, {1, 2, 3}},
                               BoxSpec{},

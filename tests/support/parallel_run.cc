@@ -38,11 +38,11 @@ void ParseText(const std::string& text, SceneSink* sink) {
   ASSERT_TRUE(parsed) << text;
 }
 
-TestPicture RenderSequentially(const std::string& text) {
-  SceneBuilder builder;
-  ParseText(text, &builder);
-  const SceneBuilder::Built built = builder.Build(0);
-  const Camera camera(built.scene->settings(), 0);
+namespace {
+
+TestPicture RenderFrame(SceneBuilder* builder, int frame) {
+  const SceneBuilder::Built built = builder->Build(frame);
+  const Camera camera(built.scene->settings(), frame);
   PixelSampling sampling(built.scene->settings(), camera, /*ahead=*/false);
   TestPicture result;
   while (!sampling.done()) {
@@ -57,11 +57,41 @@ TestPicture RenderSequentially(const std::string& text) {
   return result;
 }
 
+void ParseFile(const Options& options, SceneSink* sink) {
+  Diagnostics diagnostics("test");
+  diagnostics.set_quiet(true);
+  if (!ParseScene(options, &diagnostics, sink)) throw std::runtime_error("errors in the scene");
+}
+
+}  // namespace
+
+TestPicture RenderSequentially(const std::string& text) {
+  SceneBuilder builder;
+  ParseText(text, &builder);
+  return RenderFrame(&builder, 0);
+}
+
+TestPicture RenderSequentially(const Options& options) {
+  SceneBuilder builder;
+  ParseFile(options, &builder);
+  return RenderFrame(&builder, builder.settings().first_frame);
+}
+
+Settings ParseInto(const Options& options, ObjectSpool* spool) {
+  ParseFile(options, spool);
+  return spool->settings();
+}
+
 TestPicture RenderInParallel(const std::string& text, const RunOptions& options, uint64_t seed) {
   ObjectSpool spool;
   ParseText(text, &spool);
-  spool.Place(0);
-  HostProcess host(options, &spool, 0);
+  return RenderInParallel(&spool, 0, options, seed);
+}
+
+TestPicture RenderInParallel(ObjectSpool* spool, int frame, const RunOptions& options,
+                             uint64_t seed) {
+  spool->Place(frame);
+  HostProcess host(options, spool, frame);
   const Meter meter;
   std::vector<std::unique_ptr<TraceProcess>> trace;
   std::vector<Process*> processes{&host};

@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "parallel/message.h"
+#include "parallel/object_spool.h"
 #include "parallel/run_options.h"
 #include "rayshade/common/op_counts.h"
 #include "rayshade/image/picture.h"
+#include "rayshade/scene/options.h"
 #include "rayshade/scene/scene_sink.h"
 
 namespace rayshade::parallel {
@@ -28,6 +30,15 @@ struct TestPicture {
 TestPicture RenderSequentially(const std::string& text);
 // seed: order of events. Throws what the run throws.
 TestPicture RenderInParallel(const std::string& text, const RunOptions& options, uint64_t seed);
+
+
+// The same for a command line: its first frame. Throws std::runtime_error where the scene has
+// errors.
+TestPicture RenderSequentially(const Options& options);
+Settings ParseInto(const Options& options, ObjectSpool* spool);
+// spool: parsed.
+TestPicture RenderInParallel(ObjectSpool* spool, int frame, const RunOptions& options,
+                             uint64_t seed);
 
 // Same size and every colour and alpha equal to the bit.
 bool Identical(const Picture& a, const Picture& b);
