@@ -190,7 +190,7 @@ struct SetUp {
   ProcessId id = 1;  // the receiver's own
   int32_t frame = 0;
   RunOptions options;
-  SceneSpec scene;  // without placements and images
+  SceneSpec scene;               // without placements and images
   std::vector<uint32_t> images;  // number of each texture's image: image_table.h
   bool any_transparent =
       false;  // of the whole scene: shadow rays have to be followed through objects

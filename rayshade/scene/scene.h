@@ -31,8 +31,8 @@ struct SceneSpec {
 ShutterInterval FrameShutter(const Settings& settings, int frame);
 
 struct Scene {
-  // Builds textures and lights, but no image texture whose image is not there yet; adds the default directional light where the file has none
-  // [rayshade4/1 s.4.9].
+  // Builds textures and lights, but no image texture whose image is not there yet; adds the default
+  // directional light where the file has none [rayshade4/1 s.4.9].
   Scene(SceneSpec spec, int frame);
 
   SceneSpec spec;

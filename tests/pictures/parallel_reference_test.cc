@@ -89,11 +89,11 @@ TEST_P(EveryScene, IsTheSamePictureByEveryScheduleAndNumberOfProcesses) {
   ObjectSpool spool;
   const Settings settings = ParseInto(options, &spool);
   ObjectSpool small;
-  const bool reduced = !settings.window && settings.width * settings.height > 24 * 24;
+  const bool reduced = !settings.window && settings.width * settings.height > 36 * 36;
   if (reduced) {
     const int most = std::max(settings.width, settings.height);
-    options.resolution = {std::max(1, 24 * settings.width / most),
-                          std::max(1, 24 * settings.height / most)};
+    options.resolution = {std::max(1, 36 * settings.width / most),
+                          std::max(1, 36 * settings.height / most)};
     ParseInto(options, &small);
   }
   const TestPicture sequential = RenderSequentially(options);
@@ -121,7 +121,8 @@ TEST_P(EveryScene, IsTheSamePictureByEveryScheduleAndNumberOfProcesses) {
 
 std::string TestName(const testing::TestParamInfo<Case>& info) {
   std::string name = info.param.name;
-  std::replace_if(name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
   return name;
 }
 

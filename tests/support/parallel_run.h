@@ -31,7 +31,6 @@ TestPicture RenderSequentially(const std::string& text);
 // seed: order of events. Throws what the run throws.
 TestPicture RenderInParallel(const std::string& text, const RunOptions& options, uint64_t seed);
 
-
 // The same for a command line: its first frame. Throws std::runtime_error where the scene has
 // errors.
 TestPicture RenderSequentially(const Options& options);
