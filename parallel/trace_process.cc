@@ -72,6 +72,7 @@ void TraceProcess::Impl::On(ProcessId, SetUp& message, Outbox*) {
     }
   }
   if (!CheckView(message.scene.settings).empty()) throw WireError("a view that makes no sense");
+  ImageTable no_images(message.scene.textures, std::move(message.images));
   const Meter* kept = meter;
   std::destroy_at(this);  // nothing of an earlier frame stays
   std::construct_at(this, kept);
@@ -81,7 +82,7 @@ void TraceProcess::Impl::On(ProcessId, SetUp& message, Outbox*) {
   camera = std::make_unique<Camera>(message.scene.settings, message.frame);
   scene = std::make_unique<Scene>(std::move(message.scene), message.frame);
   scene->any_transparent = message.any_transparent;
-  images = ImageTable(scene->spec.textures, std::move(message.images));
+  images = std::move(no_images);
   images_sent.assign(options.processes + 1u, std::vector<bool>(images.size() + 1));
   own = std::make_unique<ObjectSet>(scene.get());
   cache = std::make_unique<ObjectCache>(options.cache);
@@ -125,9 +126,9 @@ void TraceProcess::Impl::CheckInside(const GeomSpec& geom) const {
 void TraceProcess::Impl::Install(const ObjectParcel& parcel, ObjectSet* set) {
   for (const WireImage& image : parcel.images) TakeImage(image);
   for (const WirePlacement& p : parcel.placements) {
+    for (const PathLevel& level : p.placement.levels) CheckAttributes(level.attributes);
     const auto [it, added] = placements.try_emplace(p.number, scene->spec.placements.size());
     if (!added) continue;
-    for (const PathLevel& level : p.placement.levels) CheckAttributes(level.attributes);
     scene->spec.placements.push_back(p.placement);
     placement_numbers.push_back(p.number);
   }
