@@ -202,11 +202,12 @@ void CellTracer::Cross(const ObjectSet& set, std::span<Shadow*> shadows, OpCount
     some_rays_.push_back(s->shadow->ray);
     limits_.push_back(s->shadow->limit);
   }
-  set.Block(some_rays_, limits_, blocked_, counts);
+  crossed_.assign(scene_->any_transparent ? shadows.size() : 0, 0);
+  set.Block(some_rays_, limits_, blocked_, crossed_, counts);
   for (size_t i = 0; i < shadows.size(); ++i) {
     Shadow& s = *shadows[i];
     s.blocked = blocked_[i] != 0;
-    if (!s.blocked && s.crossings != nullptr) {
+    if (!s.blocked && s.crossings != nullptr && crossed_[i]) {
       CollectCrossings(*scene_, set, s.shadow->ray, s.shadow->limit, s.crossings, counts);
     }
   }

@@ -104,6 +104,7 @@ class CellTracer {
   std::vector<uint32_t> some_;
   std::vector<double> limits_;
   std::vector<uint8_t> blocked_;
+  std::vector<uint8_t> crossed_;
 };
 
 }  // namespace rayshade::parallel

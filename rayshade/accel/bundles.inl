@@ -11,6 +11,7 @@ struct BundleEntry {
 // Wider pyramids (by slope) are divided, or their rays traced one by one.
 constexpr float kWidestBundle = 0.5f;
 constexpr float kWidestShadowBundle = 0.08f;
+constexpr float kWidestShadowGroup = 0.08f;
 constexpr float kWidestGroup = 0.08f;
 // Work that a bundle may be for each of its groups.
 constexpr int kNearestPatience = 100;
@@ -62,8 +63,8 @@ RAYSHADE_KERNEL bool AskNearest(const TraceView& view, Bundle* b, int g, uint32_
   return changed;
 }
 
-RAYSHADE_KERNEL void NearestInLeafOfBundle(const TraceView& view, Bundle* b, const BundleEntry& e,
-                                           Hit* hits) {
+RAYSHADE_ROUTINE void NearestInLeafOfBundle(const TraceView& view, Bundle* b, const BundleEntry& e,
+                                            Hit* hits) {
   uint32_t changed = 0;
   for (uint32_t i = 0; i < CountOf(e.branch); ++i) {
     const LeafObject o = ObjectOfLeaf(view, e.branch, i);
@@ -114,8 +115,8 @@ RAYSHADE_KERNEL bool PaysOff(const Bundle& b, const BundleEntry& e, int patience
 }
 
 // Returns false where it gave up.
-RAYSHADE_KERNEL bool NearestOfBundle(const TraceView& view, Bundle* b, Hit* hits,
-                                     Counters* counters) {
+RAYSHADE_ROUTINE bool NearestOfBundle(const TraceView& view, Bundle* b, Hit* hits,
+                                      Counters* counters) {
   BundleEntry stack[kStackSize];
   BundleEntry* top = stack;
   int work = 0;
@@ -137,15 +138,28 @@ RAYSHADE_KERNEL bool NearestOfBundle(const TraceView& view, Bundle* b, Hit* hits
   return true;
 }
 
+// What becomes of shadow rays; see ObjectSet::Block. crossed may be null.
+struct Fate {
+  uint8_t *blocked, *crossed;
+};
+
+RAYSHADE_KERNEL Meeting MeetingOf(const TraceView& view, const Bundle& b, int ray, bool sure,
+                                  double distance, const LeafObject& o, bool opaque) {
+  if (!sure) {
+    // Others decide for themselves.
+    return view.callbacks.meets_other(view.set, b.rays[ray], o.object, b.best[ray / 8][ray % 8]);
+  }
+  if (!BundleHitCounts(view, b, ray, distance, o)) return Meeting::kNothing;
+  return opaque ? Meeting::kOpaque : Meeting::kTransparent;
+}
+
 // Rays that are found blocked leave the bundle.
-RAYSHADE_KERNEL void BlockInLeafOfBundle(const TraceView& view, Bundle* b, const BundleEntry& e,
-                                         uint8_t* blocked) {
+RAYSHADE_ROUTINE void BlockInLeafOfBundle(const TraceView& view, Bundle* b, const BundleEntry& e,
+                                          const Fate& fate) {
   for (uint32_t i = 0; i < CountOf(e.branch); ++i) {
     const LeafObject o = ObjectOfLeaf(view, e.branch, i);
-    // Others decide for themselves; so do the callbacks.
-    if (!view.all_opaque && o.kind != kOtherLeaf && !view.opaque[view.keys[o.object].placement]) {
-      continue;
-    }
+    const bool opaque = o.kind == kOtherLeaf || IsOpaque(view, o.object);
+    if (!opaque && fate.crossed == nullptr) continue;
     for (uint32_t m = e.groups; m != 0; m &= m - 1) {
       const int g = __builtin_ctz(m);
       const Met met = MeetObject(*b, g, o);
@@ -155,12 +169,11 @@ RAYSHADE_KERNEL void BlockInLeafOfBundle(const TraceView& view, Bundle* b, const
       for (uint32_t bits = met.hit | met.unsure; bits != 0; bits &= bits - 1) {
         const int lane = __builtin_ctz(bits), ray = 8 * g + lane;
         if (!b->has(g, lane)) continue;
-        const bool blocks =
-            (met.hit >> lane & 1) != 0
-                ? BundleHitCounts(view, *b, ray, at[lane], o)
-                : view.callbacks.blocks_other(view.set, b->rays[ray], o.object, b->best[g][lane]);
-        if (!blocks) continue;
-        blocked[ray] = 1;
+        const bool sure = (met.hit >> lane & 1) != 0;
+        const Meeting meeting = MeetingOf(view, *b, ray, sure, at[lane], o, opaque);
+        if (meeting == Meeting::kTransparent && fate.crossed != nullptr) fate.crossed[ray] = 1;
+        if (meeting != Meeting::kOpaque) continue;
+        fate.blocked[ray] = 1;
         b->best[g][lane] = -1;
       }
       if (Largest(LoadD(b->best[g])) < 0) b->most[g] = -1;
@@ -168,8 +181,8 @@ RAYSHADE_KERNEL void BlockInLeafOfBundle(const TraceView& view, Bundle* b, const
   }
 }
 
-RAYSHADE_KERNEL bool BlockBundle(const TraceView& view, Bundle* b, uint8_t* blocked,
-                                 Counters* counters) {
+RAYSHADE_ROUTINE bool BlockBundle(const TraceView& view, Bundle* b, const Fate& fate,
+                                  Counters* counters) {
   BundleEntry stack[kStackSize];
   BundleEntry* top = stack;
   int work = 0;
@@ -181,7 +194,7 @@ RAYSHADE_KERNEL bool BlockBundle(const TraceView& view, Bundle* b, uint8_t* bloc
     if (!PaysOff(*b, e, kBlockPatience, &work)) return false;
     if (KindOf(e.branch) != kInnerNode) {
       counters->tests += Tests(e);
-      BlockInLeafOfBundle(view, b, e, blocked);
+      BlockInLeafOfBundle(view, b, e, fate);
     } else {
       ++counters->nodes;
       top = PushMet(view, *b, e, false, top);
@@ -190,8 +203,8 @@ RAYSHADE_KERNEL bool BlockBundle(const TraceView& view, Bundle* b, uint8_t* bloc
   return true;
 }
 
-RAYSHADE_KERNEL bool TryNearest(const TraceView& view, const Ray* rays, const double* strict,
-                                Hit* hits, uint32_t count, float widest, Counters* counters) {
+RAYSHADE_ROUTINE bool TryNearest(const TraceView& view, const Ray* rays, const double* strict,
+                                 Hit* hits, uint32_t count, float widest, Counters* counters) {
   Bundle b;
   LoadRays(rays, count, &b);
   for (int i = 0; i < 8 * b.groups; ++i) {
@@ -209,8 +222,8 @@ RAYSHADE_KERNEL bool TryNearest(const TraceView& view, const Ray* rays, const do
   return view.node_count == 0 || NearestOfBundle(view, &b, hits, counters);
 }
 
-RAYSHADE_KERNEL bool TryBlock(const TraceView& view, const Ray* rays, const double* limits,
-                              uint8_t* blocked, uint32_t count, float widest, Counters* counters) {
+RAYSHADE_ROUTINE bool TryBlock(const TraceView& view, const Ray* rays, const double* limits,
+                               const Fate& fate, uint32_t count, float widest, Counters* counters) {
   Bundle b;
   LoadRays(rays, count, &b);
   bool ended = true;
@@ -221,22 +234,25 @@ RAYSHADE_KERNEL bool TryBlock(const TraceView& view, const Ray* rays, const doub
   }
   if (!SurroundRays(view, ended, widest, &b)) return false;
   for (int i = 0; i < 8 * b.groups; ++i) {
-    if (static_cast<uint32_t>(i) >= count || blocked[i]) b.best[i / 8][i % 8] = -1;
+    if (static_cast<uint32_t>(i) >= count || fate.blocked[i]) b.best[i / 8][i % 8] = -1;
   }
   for (uint32_t k = 0; k < view.unbounded_count; ++k) {
     counters->tests += count;
     for (uint32_t i = 0; i < count; ++i) {
       double& limit = b.best[i / 8][i % 8];
-      if (limit < 0 || !view.callbacks.blocks_other(view.set, rays[i], view.unbounded[k], limit)) {
-        continue;
+      uint8_t met = 0;
+      if (limit < 0) continue;
+      if (OtherBlocks(view, rays[i], view.unbounded[k], limit, &met)) {
+        fate.blocked[i] = 1;
+        limit = -1;
+      } else if (met && fate.crossed != nullptr) {
+        fate.crossed[i] = 1;
       }
-      blocked[i] = 1;
-      limit = -1;
     }
   }
   for (int g = 0; g < b.groups; ++g) UpdateMost(&b, g);
   UpdateWholeMost(&b);
-  return view.node_count == 0 || BlockBundle(view, &b, blocked, counters);
+  return view.node_count == 0 || BlockBundle(view, &b, fate, counters);
 }
 
 RAYSHADE_KERNEL void NearestOfSome(const TraceView& view, const Ray* rays, Hit* hits,
@@ -258,19 +274,30 @@ RAYSHADE_KERNEL void NearestOfSome(const TraceView& view, const Ray* rays, Hit* 
   }
 }
 
-RAYSHADE_KERNEL void BlockSome(const TraceView& view, const Ray* rays, const double* limits,
-                               uint8_t* blocked, uint32_t count, Counters* counters) {
-  if (count > 8 && TryBlock(view, rays, limits, blocked, count, kWidestShadowBundle, counters)) {
+RAYSHADE_KERNEL Fate FateFrom(const Fate& fate, uint32_t first) {
+  return {fate.blocked + first, fate.crossed == nullptr ? nullptr : fate.crossed + first};
+}
+
+RAYSHADE_ROUTINE void BlockOneByOne(const TraceView& view, const Ray* rays, const double* limits,
+                                    const Fate& fate, uint32_t count, Counters* counters) {
+  for (uint32_t i = 0; i < count; ++i) {
+    if (fate.blocked[i]) continue;
+    uint8_t met = 0;
+    fate.blocked[i] = OneIsBlocked(view, rays[i], limits[i], &met, counters);
+    if (met && fate.crossed != nullptr) fate.crossed[i] = 1;
+  }
+}
+
+// A pyramid that is too wide is halved, as long as more than a group is left.
+RAYSHADE_ROUTINE void BlockSome(const TraceView& view, const Ray* rays, const double* limits,
+                                const Fate& fate, uint32_t count, Counters* counters) {
+  const float widest = count > 8 ? kWidestShadowBundle : kWidestShadowGroup;
+  if (count > 1 && TryBlock(view, rays, limits, fate, count, widest, counters)) return;
+  if (count <= 8) {
+    BlockOneByOne(view, rays, limits, fate, count, counters);
     return;
   }
-  for (uint32_t i = 0; i < count; i += 8) {
-    const uint32_t size = count - i < 8 ? count - i : 8;
-    if (size > 1 &&
-        TryBlock(view, rays + i, limits + i, blocked + i, size, kWidestGroup, counters)) {
-      continue;
-    }
-    for (uint32_t k = i; k < i + size; ++k) {
-      if (!blocked[k]) blocked[k] = OneIsBlocked(view, rays[k], limits[k], counters);
-    }
-  }
+  const uint32_t half = (count + 15) / 16 * 8;
+  BlockSome(view, rays, limits, fate, half, counters);
+  BlockSome(view, rays + half, limits + half, FateFrom(fate, half), count - half, counters);
 }

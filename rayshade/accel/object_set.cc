@@ -146,9 +146,12 @@ void ObjectSet::NearestOf(const Ray& ray, uint32_t object, Hit* hit) const {
 }
 
 void ObjectSet::Block(std::span<const Ray> rays, std::span<const double> limits,
-                      std::span<uint8_t> blocked, OpCounts* counts) const {
+                      std::span<uint8_t> blocked, std::span<uint8_t> crossed,
+                      OpCounts* counts) const {
   CHECK(impl_->kernels != nullptr && rays.size() == limits.size() && rays.size() == blocked.size());
+  CHECK(crossed.empty() || crossed.size() == rays.size());
   impl_->kernels->block(impl_->view, rays.data(), limits.data(), blocked.data(),
+                        crossed.empty() ? nullptr : crossed.data(),
                         static_cast<uint32_t>(rays.size()), counts);
 }
 

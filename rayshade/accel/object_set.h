@@ -75,8 +75,14 @@ class ObjectSet {
   // blocked[i] becomes 1 where something opaque (bound surface with transp < kEpsilon) lies on
   // rays[i] within [min_distance, limits[i]] (each kind's own rule at the ends). Entries that are 1
   // already are skipped.
+  // crossed, where it is not empty: crossed[i] becomes 1 where a ray that is not blocked may meet
+  // something that is not opaque; it stays as it is where nothing at all is in the way.
   void Block(std::span<const Ray> rays, std::span<const double> limits, std::span<uint8_t> blocked,
-             OpCounts* counts) const;
+             std::span<uint8_t> crossed, OpCounts* counts) const;
+  void Block(std::span<const Ray> rays, std::span<const double> limits, std::span<uint8_t> blocked,
+             OpCounts* counts) const {
+    Block(rays, limits, blocked, {}, counts);
+  }
 
   // The hit described in the space of its primitive; hit.set == this.
   void Describe(const Ray& ray, const Hit& hit, HitPath* path) const;

@@ -104,11 +104,16 @@ void OtherObjects::Nearest(const Ray& ray, uint32_t object, double limit, Hit* h
   hit->object = object;
 }
 
-bool OtherObjects::Blocks(const Ray& ray, uint32_t object, double limit) const {
+Meeting OtherObjects::Meets(const Ray& ray, uint32_t object, double limit) const {
   double distance;
-  if (!Intersect(ray, object, limit, limit, &distance) || distance > limit) return false;
-  if (BoxDecides(ray, object, distance) && !MeetsBox(ray, object, distance)) return false;
-  return all_opaque_ || IsOpaque(ray, object, distance);
+  if (!Intersect(ray, object, limit, limit, &distance) || distance > limit) {
+    return Meeting::kNothing;
+  }
+  if (BoxDecides(ray, object, distance) && !MeetsBox(ray, object, distance)) {
+    return Meeting::kNothing;
+  }
+  const bool opaque = all_opaque_ || IsOpaque(ray, object, distance);
+  return opaque ? Meeting::kOpaque : Meeting::kTransparent;
 }
 
 bool OtherObjects::IsOpaque(const Ray& ray, uint32_t object, double distance) const {
@@ -177,7 +182,7 @@ TraceCallbacks OtherObjects::Callbacks() {
             static_cast<const OtherObjects*>(set)->Nearest(ray, object, limit, hit);
           },
           [](const void* set, const Ray& ray, uint32_t object, double limit) {
-            return static_cast<const OtherObjects*>(set)->Blocks(ray, object, limit);
+            return static_cast<const OtherObjects*>(set)->Meets(ray, object, limit);
           },
           [](const void* set, const Ray& ray, uint32_t object, double distance) {
             return static_cast<const OtherObjects*>(set)->MeetsBox(ray, object, distance);

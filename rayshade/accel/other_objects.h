@@ -21,7 +21,7 @@ class OtherObjects {
 
   bool bounded(uint32_t object) const;
   void Nearest(const Ray& ray, uint32_t object, double limit, Hit* hit) const;
-  bool Blocks(const Ray& ray, uint32_t object, double limit) const;
+  Meeting Meets(const Ray& ray, uint32_t object, double limit) const;
   bool MeetsBox(const Ray& ray, uint32_t object, double distance) const;
   void Describe(const Ray& ray, uint32_t object, double distance, HitPath* path) const;
 

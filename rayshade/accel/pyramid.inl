@@ -136,7 +136,7 @@ RAYSHADE_KERNEL void FindSlopes(Bundle* b, int axis, double sign, double turn) {
 
 // Puts a pyramid around the rays; false where they are too wide apart to gain from one. best must
 // be set. ended: the rays' limits are where they end.
-RAYSHADE_KERNEL bool SurroundRays(const TraceView& view, bool ended, float widest, Bundle* b) {
+RAYSHADE_ROUTINE bool SurroundRays(const TraceView& view, bool ended, float widest, Bundle* b) {
   int axis;
   double sign;
   if (!FindAxis(*b, &axis, &sign)) return false;

@@ -85,6 +85,10 @@ RAYSHADE_KERNEL bool Counts(const TraceView& view, const RayWork& w, double dist
   return distance <= w.sure || view.callbacks.meets_box(view.set, *w.ray, object, distance);
 }
 
+RAYSHADE_KERNEL bool IsOpaque(const TraceView& view, uint32_t object) {
+  return view.all_opaque || view.opaque[view.keys[object].placement];
+}
+
 // Up to eight spheres, one a lane, against a ray: the very operations of IntersectSphere
 // (geom/sphere.h). Bits of those hit in (least, limit) and not beyond best; *distance: where.
 RAYSHADE_KERNEL uint32_t MeetSpheres(const double* rows, int count, const RayWork& w, double best,
@@ -126,8 +130,9 @@ RAYSHADE_KERNEL void NearestInSpheres(const TraceView& view, const RayWork& w, u
   }
 }
 
+// Does an opaque sphere block the ray? Sets *crossed where a transparent one is met.
 RAYSHADE_KERNEL bool SpheresBlock(const TraceView& view, const RayWork& w, uint32_t first,
-                                  int count, double limit) {
+                                  int count, double limit, uint8_t* crossed) {
   D8 distance;
   uint32_t bits =
       MeetSpheres(view.spheres + 4 * static_cast<size_t>(first), count, w, limit, &distance);
@@ -136,8 +141,9 @@ RAYSHADE_KERNEL bool SpheresBlock(const TraceView& view, const RayWork& w, uint3
   Store(distance, at);
   for (; bits != 0; bits &= bits - 1) {
     const uint32_t lane = static_cast<uint32_t>(__builtin_ctz(bits)), object = first + lane;
-    if (!view.all_opaque && !view.opaque[view.keys[object].placement]) continue;
-    if (Counts(view, w, at[lane], object)) return true;
+    if (!Counts(view, w, at[lane], object)) continue;
+    if (IsOpaque(view, object)) return true;
+    *crossed = 1;
   }
   return false;
 }
@@ -154,14 +160,21 @@ RAYSHADE_KERNEL void NearestInLeaf(const TraceView& view, const RayWork& w, uint
   }
 }
 
+RAYSHADE_KERNEL bool OtherBlocks(const TraceView& view, const Ray& ray, uint32_t object,
+                                 double limit, uint8_t* crossed) {
+  const Meeting meeting = view.callbacks.meets_other(view.set, ray, object, limit);
+  if (meeting == Meeting::kTransparent) *crossed = 1;
+  return meeting == Meeting::kOpaque;
+}
+
 RAYSHADE_KERNEL bool LeafBlocks(const TraceView& view, const RayWork& w, uint64_t branch,
-                                double limit) {
+                                double limit, uint8_t* crossed) {
   const uint32_t first = ChildOf(branch), count = CountOf(branch);
   if (KindOf(branch) == kSphereLeaf) {
-    return SpheresBlock(view, w, first, static_cast<int>(count), limit);
+    return SpheresBlock(view, w, first, static_cast<int>(count), limit, crossed);
   }
   for (uint32_t i = first; i < first + count; ++i) {
-    if (view.callbacks.blocks_other(view.set, *w.ray, i, limit)) return true;
+    if (OtherBlocks(view, *w.ray, i, limit, crossed)) return true;
   }
   return false;
 }
@@ -177,8 +190,8 @@ RAYSHADE_KERNEL double StrictLimit(const Hit& hit) {
   return hit.rank == kNoRank ? hit.distance : __builtin_inf();
 }
 
-RAYSHADE_KERNEL void NearestOfOne(const TraceView& view, const Ray& ray, double strict_limit,
-                                  Hit* hit, Counters* counters) {
+RAYSHADE_ROUTINE void NearestOfOne(const TraceView& view, const Ray& ray, double strict_limit,
+                                   Hit* hit, Counters* counters) {
   RayWork w;
   SlabRay s;
   SetUp(view, ray, &w, &s);
@@ -223,11 +236,11 @@ RAYSHADE_KERNEL void NearestOfOne(const TraceView& view, const Ray& ray, double 
   }
 }
 
-RAYSHADE_KERNEL bool OneIsBlocked(const TraceView& view, const Ray& ray, double limit,
-                                  Counters* counters) {
+RAYSHADE_ROUTINE bool OneIsBlocked(const TraceView& view, const Ray& ray, double limit,
+                                   uint8_t* crossed, Counters* counters) {
   for (uint32_t i = 0; i < view.unbounded_count; ++i) {
     ++counters->tests;
-    if (view.callbacks.blocks_other(view.set, ray, view.unbounded[i], limit)) return true;
+    if (OtherBlocks(view, ray, view.unbounded[i], limit, crossed)) return true;
   }
   if (view.node_count == 0) return false;
   RayWork w;
@@ -242,7 +255,7 @@ RAYSHADE_KERNEL bool OneIsBlocked(const TraceView& view, const Ray& ray, double 
     const uint64_t branch = stack[--top];
     if (KindOf(branch) != kInnerNode) {
       counters->tests += CountOf(branch);
-      if (LeafBlocks(view, w, branch, limit)) return true;
+      if (LeafBlocks(view, w, branch, limit, crossed)) return true;
       continue;
     }
     ++counters->nodes;

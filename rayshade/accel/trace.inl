@@ -21,11 +21,12 @@ void Nearest(const TraceView& view, const Ray* rays, Hit* hits, uint32_t count, 
 }
 
 void Block(const TraceView& view, const Ray* rays, const double* limits, uint8_t* blocked,
-           uint32_t count, OpCounts* counts) {
+           uint8_t* crossed, uint32_t count, OpCounts* counts) {
   Counters counters;
   for (uint32_t i = 0; i < count; i += kBundleSize) {
     const uint32_t size = count - i < kBundleSize ? count - i : kBundleSize;
-    BlockSome(view, rays + i, limits + i, blocked + i, size, &counters);
+    BlockSome(view, rays + i, limits + i, {blocked + i, crossed == nullptr ? nullptr : crossed + i},
+              size, &counters);
   }
   counts->node_visits += counters.nodes;
   counts->primitive_tests += counters.tests;

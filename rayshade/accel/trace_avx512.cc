@@ -10,6 +10,8 @@
 #include "rayshade/common/ray.h"
 
 #define RAYSHADE_KERNEL static inline __attribute__((always_inline))
+// The larger ones, once each: the compiler takes minutes otherwise.
+#define RAYSHADE_ROUTINE static __attribute__((noinline))
 
 namespace rayshade {
 namespace {

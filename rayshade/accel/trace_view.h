@@ -65,12 +65,15 @@ struct ObjectKey {
   uint32_t rank;
 };
 
+// What a shadow ray meets.
+enum class Meeting : uint8_t { kNothing, kOpaque, kTransparent };
+
 // The set's own answers, for what is not done in the kernels.
 struct TraceCallbacks {
-  // Objects that go through Geom, and the unbounded ones: improves *hit, or says whether the ray is
-  // blocked.
+  // Objects that go through Geom, and the unbounded ones: improves *hit, or says what is in the
+  // way within the limit.
   void (*nearest_other)(const void* set, const Ray& ray, uint32_t object, double limit, Hit* hit);
-  bool (*blocks_other)(const void* set, const Ray& ray, uint32_t object, double limit);
+  Meeting (*meets_other)(const void* set, const Ray& ray, uint32_t object, double limit);
   // Does the ray meet the object's world box, and not only beyond this distance?
   bool (*meets_box)(const void* set, const Ray& ray, uint32_t object, double distance);
 };
@@ -92,13 +95,14 @@ struct TraceView {
   TraceCallbacks callbacks;
 };
 
-// One instruction set's kernels. All give the same bits.
+// One instruction set's kernels; blocked and crossed as in ObjectSet::Block, crossed may be null.
+// All give the same bits.
 struct Kernels {
   const char* name;
   void (*nearest)(const TraceView& view, const Ray* rays, Hit* hits, uint32_t count,
                   OpCounts* counts);
   void (*block)(const TraceView& view, const Ray* rays, const double* limits, uint8_t* blocked,
-                uint32_t count, OpCounts* counts);
+                uint8_t* crossed, uint32_t count, OpCounts* counts);
 };
 
 extern const Kernels kPlainKernels;

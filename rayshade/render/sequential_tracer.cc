@@ -81,10 +81,12 @@ void ShadowTracer::Trace(std::span<const Ray> rays, std::span<const double> limi
                          std::span<Color> colors, std::span<uint8_t> blocked, OpCounts* counts) {
   std::fill(blocked.begin(), blocked.end(), uint8_t{0});
   if (rays.empty()) return;
-  objects_->Block(rays, limits, blocked, counts);
+  const bool any_transparent = scene_->any_transparent;
+  crossed_.assign(any_transparent ? rays.size() : 0, 0);
+  objects_->Block(rays, limits, blocked, crossed_, counts);
   for (size_t i = 0; i < rays.size(); ++i) {
     crossings_.clear();
-    if (!blocked[i] && scene_->any_transparent &&
+    if (!blocked[i] && any_transparent && crossed_[i] &&
         !PassTransparent(rays[i], limits[i], &colors[i], counts)) {
       blocked[i] = 1;
     }

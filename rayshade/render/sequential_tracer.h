@@ -30,6 +30,7 @@ class ShadowTracer {
 
   const Scene* scene_;
   const ObjectSet* objects_;
+  std::vector<uint8_t> crossed_;  // rays that something transparent is in the way of
   std::vector<ShadowCrossing> crossings_;
 };
 
