@@ -148,6 +148,7 @@ class ByteReader {
   void Get(std::vector<T>& values) {
     if constexpr (WireNumber<T>) {
       values.resize(Count(sizeof(T)));
+      if (values.empty()) return;
       std::memcpy(values.data(), bytes_.data() + at_, values.size() * sizeof(T));
       at_ += values.size() * sizeof(T);
     } else {
