@@ -77,15 +77,15 @@ void Read(const std::string& name, const std::string& value, ParallelOptions* op
 
 std::vector<LongOption> ParallelLongOptions() {
   return {
-      {"processes", "N", "Trace processes (default: one for each processor)."},
-      {"schedule", "NAME", "data-parallel, demand-driven or hybrid (default)."},
-      {"distribution", "NAME", "How objects are spread: grid, equal voxels (default)."},
-      {"memory", "SIZE", "Budget of one trace process: 4096, 64K, 12M, 2G; 0: none."},
-      {"resident", "SIZE", "Objects near the eye that every process holds."},
-      {"cache", "SIZE", "Fetched objects that a process keeps."},
-      {"pyramid", "PIXELS", "Primary rays handed out at once (default 1024)."},
-      {"timeline", "FILE", "Write what each process did, and when it was busy."},
-      {"compare", "PROGRAM?", "Render sequentially as well (rayshade, or PROGRAM) and compare."},
+      {"processes", "N", "trace processes  [one for each processor]"},
+      {"schedule", "NAME", "data-parallel, demand-driven, hybrid  [hybrid]"},
+      {"distribution", "NAME", "how objects are spread: grid, equal voxels  [grid]"},
+      {"memory", "SIZE", "budget of one trace process: 4096, 64K, 12M, 2G; 0: no limit"},
+      {"resident", "SIZE", "objects near the eye that every process holds"},
+      {"cache", "SIZE", "fetched objects that a process keeps"},
+      {"pyramid", "PIXELS", "primary rays handed out at once  [1024]"},
+      {"timeline", "FILE", "write what each process did, and when it was busy"},
+      {"compare", "PROGRAM?", "render by rayshade (or PROGRAM) as well, and compare"},
   };
 }
 

@@ -47,15 +47,12 @@ check "nothing is left" nothing_is_left
 grown="-S 1 -R 1200 1200"
 "$rayshade" -q $grown -O "$work/whole.png" "$work/long.ray"
 goes_on() { "$prayshade" -q -c --processes 2 $grown -O "$work/a.png" "$work/long.ray"; }
-for seconds in 0.3 0.6 1 1.5; do # until one of them falls between the first row and the last
-  rm -f "$work/a.png"
-  "$prayshade" -q --processes 2 $grown -O "$work/a.png" "$work/long.ray" >"$work/said" 2>&1 &
-  host=$!
-  waits 100 has_running prayshade-trace 2 && sleep $seconds
-  kill -TERM $host
-  end
-  [ ! -e "$work/a.png.partial" ] || break
-done
+rm -f "$work/a.png"
+"$prayshade" --processes 2 $grown -F 1 -O "$work/a.png" "$work/long.ray" >"$work/said" 2>&1 &
+host=$!
+waits 200 grep -q 'Finished line' "$work/said"
+kill -TERM $host
+end
 if [ -e "$work/a.png.partial" ]; then
   check "an interrupted picture goes on with -c" goes_on
   check "to the picture of an undisturbed run" cmp "$work/whole.png" "$work/a.png"
