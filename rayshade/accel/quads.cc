@@ -88,6 +88,11 @@ Quad QuadAround(std::span<const Vector> points, const Vector& normal, double off
   const Vector middle{center[0], center[1], center[2]};
   quad.row[15] = static_cast<float>(offset - Dot(normal, middle));
   quad.row[16] = static_cast<float>(2 * off_plane + 1e-14 * reach);
+  double diameter = 0;
+  for (int i = 0; i < 4; ++i) {
+    for (int k = 0; k < i; ++k) diameter = std::max(diameter, Length(corner[i] - corner[k]));
+  }
+  quad.row[17] = static_cast<float>(1.00001 * diameter);
   // A rectangle could not be made, or single precision ends here.
   const bool sound = std::all_of(quad.row, quad.row + kQuadRows,
                                  [](float x) { return std::isfinite(x) && std::abs(x) < 1e15f; });

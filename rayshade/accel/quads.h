@@ -4,8 +4,8 @@
 //   1. Every line that an object's own test counts as a hit passes through its quadrilateral, but
 //   for the margins of filter.inl, which know how far points are off the plane.
 //   2. A leaf's quadrilaterals lie as rows: 12 rows of corners (x, y, z of each), three of the
-//   normal, one of the offset, one of how far points are off the plane (invariant 1; infinite:
-//   test the object).
+//   normal, one of the offset, one of how far points are off the plane (infinite: nothing is known
+//   about the object), one of the diameter.
 //   3. Corners run around the normal the same way in all of them.
 #pragma once
 
@@ -17,7 +17,7 @@
 
 namespace rayshade {
 
-inline constexpr int kQuadRows = 17;
+inline constexpr int kQuadRows = 18;
 
 // Relative to the hierarchy's center.
 struct Quad {

@@ -7,11 +7,11 @@
 //   1. Only what no ray can hit is left out. A line inside of a quadrilateral (quads.h) has
 //   (a x b) . q of one sign for each of its edges from a to b, seen from the apex, and the sign is
 //   that of the plane's height. A sphere lies inside of a circle in the plane of slopes.
-//   2. Margins cover the rounding of everything that goes in. With corners at most D from the apex,
-//   coordinates known to within P, and |q| <= Q (sums of sizes): products of coordinates are off by
-//   less than 2e-6 D D Q, corners make 4 P D Q, and corners off their plane 20 D D off Q / height,
-//   since the hit is at depth height / Q at least. A comparison with something that is not a number
-//   leaves nothing out.
+//   2. Margins cover the rounding of everything that goes in. For a line that hits at depth w, a
+//   quadrilateral of diameter d with corners at most D away, and |q| <= Q (a sum of sizes),
+//   products of coordinates are off by less than 2e-6 D d Q; corners that are off by P move
+//   (a x b) . q by less than 8 P D d / w, since the hit is no farther than d from each of them.
+//   Corners off their plane count 10. w Q is at least the height, and the depth of the nearest corner. A comparison with something that is not a number leaves nothing out.
 
 constexpr float kOneRounding = 1.2e-7f;  // twice of what one rounding is
 
@@ -45,7 +45,7 @@ RAYSHADE_KERNEL SeenQuads SeeQuads(const TraceView& view, uint64_t branch, const
   const auto row = [&](int i) { return LoadF(rows + static_cast<uint32_t>(i) * count); };
   SeenQuads s;
   // The plane.
-  const F8 x = row(12), y = row(13), z = row(14), offset = row(15), off_plane = row(16);
+  const F8 x = row(12), y = row(13), z = row(14), offset = row(15);
   const F8 raw_height = offset - (x * SetF(p.at[0]) + y * SetF(p.at[1]) + z * SetF(p.at[2]));
   const F8 turn = Choose(Less(raw_height, SetF(0)), SetF(-1), SetF(1));
   s.height = raw_height * turn;
@@ -55,30 +55,28 @@ RAYSHADE_KERNEL SeenQuads SeeQuads(const TraceView& view, uint64_t branch, const
   s.height_margin = SetF(4e-7f) * (SetF(p.size) + Size(offset)) + SetF(2 * p.loose);
   // The corners, and the planes through apex and edges.
   F8 a[4][3];
-  F8 largest = SetF(0);
+  F8 largest = SetF(0), nearest = SetF(__builtin_inff());
   for (int i = 0; i < 4; ++i) {
     a[i][0] = row(3 * i + p.u) - SetF(p.at[p.u]);
     a[i][1] = row(3 * i + p.v) - SetF(p.at[p.v]);
     a[i][2] = (row(3 * i + p.w) - SetF(p.at[p.w])) * SetF(p.sign);
     largest = Max(largest, LargestSize(a[i][0], a[i][1], a[i][2]));
+    nearest = Min(nearest, a[i][2]);
   }
   const F8 handed = turn * SetF(p.handed);
-  for (int i = 0; i < 4; i += 2) {
-    for (int k = 0; k < 3; ++k) a[i][k] = a[i][k] * handed;
-  }
   for (int i = 0; i < 4; ++i) {
-    const F8* from = a[i];
     const F8* to = a[(i + 1) % 4];
+    const F8 along[3] = {to[0] - a[i][0], to[1] - a[i][1], to[2] - a[i][2]};
     for (int k = 0; k < 3; ++k) {
       const int l = (k + 1) % 3, m = (k + 2) % 3;
-      s.edge[i][k] = from[l] * to[m] - from[m] * to[l];
+      s.edge[i][k] = (a[i][l] * along[m] - a[i][m] * along[l]) * handed;
     }
   }
   const F8 known = SetF(2 * kOneRounding) * (largest + SetF(p.size)) + SetF(p.loose);
   const F8 q = SetF(p.q_sum);
-  const F8 rounding = q * largest * (SetF(2e-6f) * largest + SetF(4) * known);
-  const F8 bent = SetF(20) * largest * largest * q * off_plane / s.height;
-  const F8 margin = rounding + bent;
+  const F8 depth = Max(nearest, s.height) / (q * SetF(1.0001f));
+  const F8 off = SetF(8) * known + SetF(10) * row(16);
+  const F8 margin = largest * row(17) * (SetF(2e-6f) * q + off / depth);
   // On which side the apex is must be known.
   s.least = Choose(Less(s.height_margin, s.height), SetF(0) - margin, SetF(-__builtin_inff()));
   return s;
