@@ -13,6 +13,8 @@ constexpr float kWidestBundle = 0.5f;
 constexpr float kWidestShadowBundle = 0.08f;
 constexpr float kWidestShadowGroup = 0.08f;
 constexpr float kWidestGroup = 0.08f;
+constexpr float kWidestRun = 0.1f;
+constexpr float kWidestLoneGroup = 0.3f;
 // Work that a bundle may be for each of its groups.
 constexpr int kNearestPatience = 100;
 constexpr int kBlockPatience = 60;
@@ -21,7 +23,7 @@ constexpr int kLoneGroupPatience = 30;
 RAYSHADE_KERNEL bool BundleHitCounts(const TraceView& view, const Bundle& b, int ray,
                                      double distance, const LeafObject& o) {
   if (distance <= kSureDistance && !o.box_decides) return true;
-  return view.callbacks.meets_box(view.set, b.rays[ray], o.object, distance);
+  return view.callbacks.meets_box(view.set, RayOf(b, ray), o.object, distance);
 }
 
 // Returns whether a best distance changed.
@@ -54,7 +56,7 @@ RAYSHADE_KERNEL bool AskNearest(const TraceView& view, Bundle* b, int g, uint32_
     if (!b->has(g, lane)) continue;
     Hit& hit = hits[8 * g + lane];
     const uint32_t rank = hit.rank;
-    view.callbacks.nearest_other(view.set, b->rays[8 * g + lane], object, b->strict[g][lane], &hit);
+    view.callbacks.nearest_other(view.set, RayOf(*b, 8 * g + lane), object, b->strict[g][lane], &hit);
     if (hit.rank == rank) continue;
     hit.set = view.owner;
     b->best[g][lane] = hit.distance;
@@ -112,10 +114,10 @@ RAYSHADE_KERNEL uint32_t Tests(const BundleEntry& e) {
 
 // How much work a bundle has been for each of its groups; false: so much that its rays are better
 // off in smaller bundles, or alone. What was found until then stays valid.
-RAYSHADE_KERNEL bool PaysOff(const Bundle& b, const BundleEntry& e, int patience, int* work) {
+RAYSHADE_KERNEL bool PaysOff(int groups, const BundleEntry& e, int patience, int* work) {
   const bool leaf = KindOf(e.branch) != kInnerNode;
   *work += leaf ? static_cast<int>(CountOf(e.branch)) * __builtin_popcount(e.groups) : 1;
-  return *work <= (b.groups == 1 ? kLoneGroupPatience : patience * b.groups);
+  return *work <= (groups == 1 ? kLoneGroupPatience : patience * groups);
 }
 
 // Returns false where it gave up.
@@ -130,7 +132,7 @@ RAYSHADE_ROUTINE bool NearestOfBundle(const TraceView& view, Bundle* b, Hit* hit
     if (e.depth > b->whole.most) continue;
     e.groups &= LessEqual(SetF(e.depth), LoadF(b->most));
     if (e.groups == 0) continue;
-    if (!PaysOff(*b, e, kNearestPatience, &work)) return false;
+    if (!PaysOff(b->groups, e, kNearestPatience, &work)) return false;
     if (KindOf(e.branch) != kInnerNode) {
       counters->tests += Tests(e);
       NearestInLeafOfBundle(view, b, e, hits);
@@ -151,7 +153,7 @@ RAYSHADE_KERNEL Meeting MeetingOf(const TraceView& view, const Bundle& b, int ra
                                   double distance, const LeafObject& o, bool opaque) {
   if (!sure) {
     // Others decide for themselves.
-    return view.callbacks.meets_other(view.set, b.rays[ray], o.object, b.best[ray / 8][ray % 8]);
+    return view.callbacks.meets_other(view.set, RayOf(b, ray), o.object, b.best[ray / 8][ray % 8]);
   }
   if (!BundleHitCounts(view, b, ray, distance, o)) return Meeting::kNothing;
   return opaque ? Meeting::kOpaque : Meeting::kTransparent;
@@ -183,23 +185,26 @@ RAYSHADE_ROUTINE void BlockInLeafOfBundle(const TraceView& view, Bundle* b, cons
         if (meeting != Meeting::kOpaque) continue;
         fate.blocked[ray] = 1;
         b->best[g][lane] = -1;
+        b->live[g] &= ~(1u << lane);
       }
-      if (Largest(LoadD(b->best[g])) < 0) b->most[g] = -1;
+      if (b->live[g] == 0) b->most[g] = -1;
     }
   }
 }
 
-RAYSHADE_ROUTINE bool BlockBundle(const TraceView& view, Bundle* b, const Fate& fate,
+// run: bits of the groups.
+RAYSHADE_ROUTINE bool BlockBundle(const TraceView& view, Bundle* b, uint32_t run, const Fate& fate,
                                   Counters* counters) {
   BundleEntry stack[kStackSize];
   BundleEntry* top = stack;
+  const int groups = __builtin_popcount(run);
   int work = 0;
-  *top++ = {MakeBranch(kInnerNode, 0, 0), 0, (1u << b->groups) - 1};
+  *top++ = {MakeBranch(kInnerNode, 0, 0), 0, run};
   while (top != stack) {
     BundleEntry e = *--top;
     e.groups &= LessEqual(SetF(0), LoadF(b->most));
     if (e.groups == 0) continue;
-    if (!PaysOff(*b, e, kBlockPatience, &work)) return false;
+    if (!PaysOff(groups, e, kBlockPatience, &work)) return false;
     if (KindOf(e.branch) != kInnerNode) {
       counters->tests += Tests(e);
       BlockInLeafOfBundle(view, b, e, fate);
@@ -220,6 +225,7 @@ RAYSHADE_ROUTINE bool TryNearest(const TraceView& view, const Ray* rays, const d
     b.best[i / 8][i % 8] = there ? hits[i].distance : -1;
     b.strict[i / 8][i % 8] = there ? strict[i] : __builtin_inf();
   }
+  for (int g = 0; g < b.groups; ++g) b.live[g] = LessEqual(SetD(0), LoadD(b.best[g]));
   if (!SurroundRays(view, false, widest, &b)) return false;
   for (uint32_t k = 0; k < view.unbounded_count; ++k) {
     for (int g = 0; g < b.groups; ++g) AskNearest(view, &b, g, 0xff, view.unbounded[k], hits);
@@ -244,6 +250,7 @@ RAYSHADE_ROUTINE bool TryBlock(const TraceView& view, const Ray* rays, const dou
   for (int i = 0; i < 8 * b.groups; ++i) {
     if (static_cast<uint32_t>(i) >= count || fate.blocked[i]) b.best[i / 8][i % 8] = -1;
   }
+  for (int g = 0; g < b.groups; ++g) b.live[g] = LessEqual(SetD(0), LoadD(b.best[g]));
   for (uint32_t k = 0; k < view.unbounded_count; ++k) {
     counters->tests += count;
     for (uint32_t i = 0; i < count; ++i) {
@@ -253,6 +260,7 @@ RAYSHADE_ROUTINE bool TryBlock(const TraceView& view, const Ray* rays, const dou
       if (OtherBlocks(view, rays[i], view.unbounded[k], limit, &met)) {
         fate.blocked[i] = 1;
         limit = -1;
+        b.live[i / 8] &= ~(1u << i % 8);
       } else if (met && fate.crossed != nullptr) {
         fate.crossed[i] = 1;
       }
@@ -260,7 +268,7 @@ RAYSHADE_ROUTINE bool TryBlock(const TraceView& view, const Ray* rays, const dou
   }
   for (int g = 0; g < b.groups; ++g) UpdateMost(&b, g);
   UpdateWholeMost(&b);
-  return view.node_count == 0 || BlockBundle(view, &b, fate, counters);
+  return view.node_count == 0 || BlockBundle(view, &b, (1u << b.groups) - 1, fate, counters);
 }
 
 RAYSHADE_KERNEL void NearestOfSome(const TraceView& view, const Ray* rays, Hit* hits,

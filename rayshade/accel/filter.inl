@@ -81,17 +81,17 @@ RAYSHADE_KERNEL void SeeLeaf(const TraceView& view, const Bundle& b, uint64_t br
 // The rays of a group that may meet an object: bits.
 RAYSHADE_KERNEL uint32_t RaysThatMayMeet(const Bundle& b, int g, const SeenLeaf& leaf,
                                          LeafKind kind, uint32_t i) {
-  if (!leaf.known) return 0xff;
+  if (!leaf.known) return b.live[g];
   const F8 u = LoadF(b.ray_u[g]), v = LoadF(b.ray_v[g]), depth = LoadF(b.ray_most[g]);
   const auto part = [&](int k) { return SetF(leaf.part[k][i]); };
   if (kind == kSphereLeaf) {
-    if ((leaf.around >> i & 1) != 0) return 0xff;
+    if ((leaf.around >> i & 1) != 0) return b.live[g];
     const F8 du = u - part(0), dv = v - part(1);
-    return ~(Less(part(3), du * du + dv * dv) | Less(depth, part(4))) & 0xff;
+    return ~(Less(part(3), du * du + dv * dv) | Less(depth, part(4))) & b.live[g];
   }
   const F8 least = part(15);
   const auto at = [&](int k) { return part(k) * u + part(k + 1) * v + part(k + 2); };
   const F8 edges = Min(Min(at(0), at(3)), Min(at(6), at(9)));
   const F8 reached = HeightReached(at(12), depth, part(17), b.viewpoint.q_sum);
-  return ~(Less(edges, least) | Less(reached, part(16))) & 0xff;
+  return ~(Less(edges, least) | Less(reached, part(16))) & b.live[g];
 }

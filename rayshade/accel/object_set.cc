@@ -175,6 +175,13 @@ void ObjectSet::Block(std::span<const Ray> rays, std::span<const double> limits,
                         static_cast<uint32_t>(rays.size()), counts);
 }
 
+void ObjectSet::Block(const ShadowRows& rows, OpCounts* counts) const {
+  CHECK(impl_->kernels != nullptr);
+  impl_->kernels->block_rows(impl_->view, rows, counts);
+}
+
+void ObjectSet::Aim(const AimRows& rows) const { impl_->kernels->aim(rows); }
+
 void ObjectSet::Describe(const Ray& ray, const Hit& hit, HitPath* path) const {
   CHECK(hit.set == this);
   impl_->others.Describe(ray, hit.object, hit.distance, path);
@@ -229,7 +236,7 @@ ObjectSet::Entry ObjectSet::entry(uint32_t object) const {
 size_t ObjectSet::size() const { return impl_->objects.size(); }
 
 size_t ObjectSet::bytes() const {
-  return sizeof *this + sizeof(Impl) + impl_->objects.bytes() + impl_->nodes.bytes() +
+  return sizeof *this + sizeof(Impl) + impl_->quads.capacity() * sizeof(float) + impl_->objects.bytes() + impl_->nodes.bytes() +
          impl_->unbounded.capacity() * sizeof(uint32_t) + impl_->opaque.capacity();
 }
 

@@ -18,6 +18,7 @@
 #include <span>
 #include <vector>
 
+#include "rayshade/accel/trace_view.h"
 #include "rayshade/common/op_counts.h"
 #include "rayshade/common/ray.h"
 #include "rayshade/geom/geom.h"
@@ -83,6 +84,11 @@ class ObjectSet {
              OpCounts* counts) const {
     Block(rays, limits, blocked, {}, counts);
   }
+
+  // The same for rays that all end at one position, in rows (trace_view.h).
+  void Block(const ShadowRows& rows, OpCounts* counts) const;
+  // Where a position stands as seen from points, with this set's kernels.
+  void Aim(const AimRows& rows) const;
 
   // The hit described in the space of its primitive; hit.set == this.
   void Describe(const Ray& ray, const Hit& hit, HitPath* path) const;

@@ -22,8 +22,9 @@ struct Slopes {
 };
 
 struct Bundle {
-  alignas(64) double o[3][kGroups][8];
-  alignas(64) double d[3][kGroups][8];
+  const double (*o[3])[8];  // origins and directions, of each group
+  const double (*d[3])[8];
+  alignas(64) double own[6][kGroups][8];  // where they are not the caller's
   alignas(64) double least[kGroups][8];
   alignas(64) double best[kGroups][8];    // the hit so far, or the limit; negative: no such ray
   alignas(64) double strict[kGroups][8];  // hits of strict kinds lie before
@@ -38,10 +39,25 @@ struct Bundle {
   bool pointed;     // the apex is a point, and viewpoint is set
   double apex[3];   // a corner of it
   Viewpoint viewpoint;
-  const Ray* rays;
+  uint32_t live[kGroups];  // bits of the rays that are still of interest
+  const Ray* rays;         // or null, and
+  const double* times;
 
-  bool has(int group, int lane) const { return best[group][lane] >= 0; }
+  bool has(int group, int lane) const { return (live[group] >> lane & 1) != 0; }
 };
+
+// For the callbacks.
+RAYSHADE_KERNEL Ray RayOf(const Bundle& b, int i) {
+  if (b.rays != nullptr) return b.rays[i];
+  const int g = i / 8, lane = i % 8;
+  Ray ray;
+  ray.origin = {b.o[0][g][lane], b.o[1][g][lane], b.o[2][g][lane]};
+  ray.direction = {b.d[0][g][lane], b.d[1][g][lane], b.d[2][g][lane]};
+  ray.min_distance = b.least[g][lane];
+  ray.time = b.times[i];
+  ray.kind = RayKind::kShadow;
+  return ray;
+}
 
 struct Spread {
   double low, high;
@@ -50,15 +66,19 @@ struct Spread {
 RAYSHADE_KERNEL void LoadRays(const Ray* rays, uint32_t count, Bundle* b) {
   b->rays = rays;
   b->groups = static_cast<int>((count + 7) / 8);
+  for (int axis = 0; axis < 3; ++axis) {
+    b->o[axis] = b->own[axis];
+    b->d[axis] = b->own[3 + axis];
+  }
   for (int i = 0; i < 8 * b->groups; ++i) {
     const int group = i / 8, lane = i % 8;
     const Ray& ray = rays[static_cast<uint32_t>(i) < count ? static_cast<uint32_t>(i) : count - 1];
-    b->o[0][group][lane] = ray.origin.x;
-    b->o[1][group][lane] = ray.origin.y;
-    b->o[2][group][lane] = ray.origin.z;
-    b->d[0][group][lane] = ray.direction.x;
-    b->d[1][group][lane] = ray.direction.y;
-    b->d[2][group][lane] = ray.direction.z;
+    b->own[0][group][lane] = ray.origin.x;
+    b->own[1][group][lane] = ray.origin.y;
+    b->own[2][group][lane] = ray.origin.z;
+    b->own[3][group][lane] = ray.direction.x;
+    b->own[4][group][lane] = ray.direction.y;
+    b->own[5][group][lane] = ray.direction.z;
     b->least[group][lane] = ray.min_distance;
   }
 }
@@ -88,11 +108,15 @@ RAYSHADE_KERNEL void FindApex(const Bundle& b, bool ends, Spread box[3]) {
   }
 }
 
+RAYSHADE_KERNEL int LargestAxis(const double d[3]) {
+  const double x = __builtin_fabs(d[0]), y = __builtin_fabs(d[1]), z = __builtin_fabs(d[2]);
+  return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+}
+
 // The axis that all directions follow, and their sign along it; false where there is none.
 RAYSHADE_KERNEL bool FindAxis(const Bundle& b, int* axis, double* sign) {
-  const double x = b.d[0][0][0], y = b.d[1][0][0], z = b.d[2][0][0];
-  const double ax = __builtin_fabs(x), ay = __builtin_fabs(y), az = __builtin_fabs(z);
-  *axis = ax >= ay && ax >= az ? 0 : ay >= az ? 1 : 2;
+  const double d[3] = {b.d[0][0][0], b.d[1][0][0], b.d[2][0][0]};
+  *axis = LargestAxis(d);
   *sign = b.d[*axis][0][0] < 0 ? -1 : 1;
   uint32_t good = 0xff;
   for (int g = 0; g < b.groups; ++g) {
@@ -147,22 +171,24 @@ RAYSHADE_KERNEL void FindSlopes(Bundle* b, int axis, double sign, double turn) {
   UpdateWholeMost(b);
 }
 
-// size: of the apex.
-RAYSHADE_KERNEL void FindViewpoint(const TraceView& view, const Spread apex[3], double size,
-                                   Bundle* b) {
-  double largest = 0;
-  for (int k = 0; k < 3; ++k) {
-    largest = Larger(largest, Larger(__builtin_fabs(apex[k].low), __builtin_fabs(apex[k].high)));
-  }
-  double far = 0;
-  for (int g = 0; g < b->groups; ++g) {
-    for (int k = 0; k < 3; ++k) {
-      const D8 o = LoadD(b->o[k][g]);
-      far = Larger(far, Largest(Max(o, SetD(0) - o)));
-    }
-  }
-  b->pointed = size <= 1e-12 * Larger(largest, far) && far < kSureDistance;
-  if (!b->pointed) return;
+// The apex's box for the tests of nodes. sign: of the directions from there along the axis.
+RAYSHADE_KERNEL void PlaceApex(int axis, double sign, const float low[3], const float high[3],
+                               Bundle* b) {
+  const bool forward = sign > 0;
+  b->sign = forward ? 1 : -1;
+  b->near_plane = forward ? axis : 3 + axis;
+  b->far_plane = forward ? 3 + axis : axis;
+  b->w_near = forward ? high[axis] : low[axis];
+  b->w_far = forward ? low[axis] : high[axis];
+  b->u_near = high[b->u];
+  b->u_far = low[b->u];
+  b->v_near = high[b->v];
+  b->v_far = low[b->v];
+}
+
+// loose: by how much rays may miss the apex.
+RAYSHADE_KERNEL void SetViewpoint(const TraceView& view, const Spread apex[3], double loose,
+                                  Bundle* b) {
   Viewpoint& p = b->viewpoint;
   p.size = 0;
   for (int k = 0; k < 3; ++k) {
@@ -175,12 +201,27 @@ RAYSHADE_KERNEL void FindViewpoint(const TraceView& view, const Spread apex[3], 
   p.w = b->axis;
   p.sign = b->sign;
   p.handed = b->axis == 1 ? -b->sign : b->sign;
-  p.loose = static_cast<float>(2 * size + 1e-14 * Larger(largest, far));
+  p.loose = static_cast<float>(loose);
   const Slopes<float>& w = b->whole;
   const double u = Larger(__builtin_fabsf(w.u_low), __builtin_fabsf(w.u_high));
   const double v = Larger(__builtin_fabsf(w.v_low), __builtin_fabsf(w.v_high));
   p.q_sum = FloatAbove(1 + u + v);
   p.q_size = FloatAbove(__builtin_sqrt(1 + u * u + v * v));
+}
+
+// size: of the apex.
+RAYSHADE_KERNEL void FindViewpoint(const TraceView& view, const Spread apex[3], double size,
+                                   Bundle* b) {
+  double reach = 0;
+  for (int k = 0; k < 3; ++k) {
+    reach = Larger(reach, Larger(__builtin_fabs(apex[k].low), __builtin_fabs(apex[k].high)));
+    for (int g = 0; g < b->groups; ++g) {
+      const D8 o = LoadD(b->o[k][g]);
+      reach = Larger(reach, Largest(Max(o, SetD(0) - o)));
+    }
+  }
+  b->pointed = size <= 1e-12 * reach && reach < kSureDistance;
+  if (b->pointed) SetViewpoint(view, apex, 2 * size + 1e-14 * reach, b);
 }
 
 // Puts a pyramid around the rays; false where they are too wide apart to gain from one. best must
@@ -217,16 +258,7 @@ RAYSHADE_ROUTINE bool SurroundRays(const TraceView& view, bool ended, float wide
     low[k] = FloatBelow(apex[k].low - view.center[k] - 1e-14 * largest);
     high[k] = FloatAbove(apex[k].high - view.center[k] + 1e-14 * largest);
   }
-  const bool forward = sign > 0;
-  b->sign = forward ? 1 : -1;
-  b->near_plane = forward ? axis : 3 + axis;
-  b->far_plane = forward ? 3 + axis : axis;
-  b->w_near = forward ? high[axis] : low[axis];
-  b->w_far = forward ? low[axis] : high[axis];
-  b->u_near = high[b->u];
-  b->u_far = low[b->u];
-  b->v_near = high[b->v];
-  b->v_far = low[b->v];
+  PlaceApex(axis, sign, low, high, b);
   FindViewpoint(view, apex, size, b);
   return true;
 }

@@ -8,6 +8,7 @@
 #include "rayshade/accel/filter.inl"
 #include "rayshade/accel/flat_kinds.inl"
 #include "rayshade/accel/bundles.inl"
+#include "rayshade/accel/rows.inl"
 // clang-format on
 
 // Rays come in an order that has neighbours together: up to 64 at a time are taken for a bundle if

@@ -95,6 +95,32 @@ struct TraceView {
   TraceCallbacks callbacks;
 };
 
+// Points and where something stands as seen from them. Rows are read and written in groups of
+// eight: there must be room, and in the last group numbers that can be computed with.
+struct AimRows {
+  const double* point[3];
+  const double* normal[3];
+  uint32_t count;
+  double position[3];
+  double* toward[3];  // from point to position, as Normalize leaves it
+  double* distance;
+  double* cosine;  // of toward with the normal
+};
+
+// Shadow rays that all end at one position; rows as in AimRows. blocked, crossed as in
+// ObjectSet::Block; crossed may be null. reach: at least the size of every coordinate.
+struct ShadowRows {
+  const double* origin[3];
+  const double* direction[3];  // unit
+  const double* limits;
+  const double* times;
+  double position[3];
+  double reach;
+  uint8_t* blocked;
+  uint8_t* crossed;
+  uint32_t count;
+};
+
 // One instruction set's kernels; blocked and crossed as in ObjectSet::Block, crossed may be null.
 // All give the same bits.
 struct Kernels {
@@ -103,6 +129,8 @@ struct Kernels {
                   OpCounts* counts);
   void (*block)(const TraceView& view, const Ray* rays, const double* limits, uint8_t* blocked,
                 uint8_t* crossed, uint32_t count, OpCounts* counts);
+  void (*block_rows)(const TraceView& view, const ShadowRows& rows, OpCounts* counts);
+  void (*aim)(const AimRows& rows);
 };
 
 extern const Kernels kPlainKernels;

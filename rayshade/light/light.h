@@ -43,6 +43,10 @@ class Light {
   virtual std::optional<LightArrival> Arrive(const Vector& point, const LightDirection& direction,
                                              const LightKey& key) const = 0;
 
+  // Where a light stands that shines from one point and alike in all directions: Arrive then gives
+  // the intensity and what Toward gave. Null for all others.
+  virtual const Vector* position() const { return nullptr; }
+
   const Color& intensity() const { return intensity_; }
   bool noshadow() const { return noshadow_; }
 

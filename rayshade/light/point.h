@@ -22,6 +22,7 @@ class PointLight : public Light {
   LightDirection Toward(const Vector& point, const LightKey& key) const override;
   std::optional<LightArrival> Arrive(const Vector& point, const LightDirection& direction,
                                      const LightKey& key) const override;
+  const Vector* position() const override { return &position_; }
 
  private:
   Vector position_;

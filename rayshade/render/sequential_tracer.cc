@@ -3,6 +3,7 @@
 #include "rayshade/render/sequential_tracer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "rayshade/common/check.h"
@@ -75,6 +76,38 @@ struct ShadowBatch {
         blocked(kBundleSize) {}
 };
 
+// The hits of a level in rows (accel/trace_view.h), for lights that shine from one point. Hits that
+// such a light may do something unusual to (`plain` is 0) go the general way.
+struct HitRows {
+  alignas(64) double point[3][kBundleSize];
+  alignas(64) double normal[3][kBundleSize];
+  alignas(64) double toward[3][kBundleSize];
+  alignas(64) double distance[kBundleSize], cosine[kBundleSize], time[kBundleSize];
+  uint8_t plain[kBundleSize];
+  uint8_t blocked[kBundleSize], crossed[kBundleSize];
+  double reach = 0;  // of the points
+
+  void Set(std::span<const Ray> rays, std::span<const SurfaceHit> surfaces,
+           std::span<const uint32_t> owners);
+};
+
+void HitRows::Set(std::span<const Ray> rays, std::span<const SurfaceHit> surfaces,
+                  std::span<const uint32_t> owners) {
+  reach = 0;
+  const size_t count = surfaces.size(), end = (count + 7) / 8 * 8;
+  for (size_t s = 0; s < end; ++s) {
+    const SurfaceHit& hit = surfaces[std::min(s, count - 1)];
+    const Surface& surface = hit.surface();
+    for (int axis = 0; axis < 3; ++axis) {
+      point[axis][s] = hit.point[axis];
+      normal[axis][s] = hit.normal[axis];
+      reach = std::max(reach, std::abs(hit.point[axis]));
+    }
+    time[s] = rays[owners[std::min(s, count - 1)]].time;
+    plain[s] = !hit.smooth && surface.translucency < kEpsilon && !surface.noshadow;
+  }
+}
+
 }  // namespace
 
 void ShadowTracer::Trace(std::span<const Ray> rays, std::span<const double> limits,
@@ -85,13 +118,19 @@ void ShadowTracer::Trace(std::span<const Ray> rays, std::span<const double> limi
   crossed_.assign(any_transparent ? rays.size() : 0, 0);
   objects_->Block(rays, limits, blocked, crossed_, counts);
   for (size_t i = 0; i < rays.size(); ++i) {
-    crossings_.clear();
-    if (!blocked[i] && any_transparent && crossed_[i] &&
-        !PassTransparent(rays[i], limits[i], &colors[i], counts)) {
-      blocked[i] = 1;
+    if (blocked[i]) {
+      ++counts->shadow_hits;
+    } else if (any_transparent && crossed_[i]) {
+      blocked[i] = !Pass(rays[i], limits[i], &colors[i], counts);
     }
-    counts->shadow_hits += blocked[i] || !crossings_.empty();
   }
+}
+
+bool ShadowTracer::Pass(const Ray& ray, double limit, Color* color, OpCounts* counts) {
+  crossings_.clear();
+  const bool passed = PassTransparent(ray, limit, color, counts);
+  counts->shadow_hits += !passed || !crossings_.empty();
+  return passed;
 }
 
 bool ShadowTracer::PassTransparent(const Ray& ray, double limit, Color* color, OpCounts* counts) {
@@ -116,6 +155,10 @@ struct SequentialTracer::Impl {
                   std::span<RayResult> results, OpCounts* counts);
   size_t Resolve(std::span<const Ray> rays, std::span<RayResult> results, Level* level);
   void Illuminate(std::span<const Ray> rays, size_t count, Level* level, OpCounts* counts);
+  void IlluminateByPoint(const Light& light, std::span<const Ray> rays, size_t count, Level* level,
+                         OpCounts* counts);
+  void IlluminateBy(uint32_t light, std::span<const Ray> rays, size_t count, bool plain_too,
+                    Level* level, OpCounts* counts);
   void Spawn(std::span<const Ray> rays, const std::vector<Medium>& media, size_t count,
              Level* level);
   void Fold(std::span<const Ray> rays, size_t count, size_t transmitted, const Level& level,
@@ -125,6 +168,8 @@ struct SequentialTracer::Impl {
   const ObjectSet& objects;
   ShadowTracer shadow_tracer;
   ShadowBatch shadows;
+  std::unique_ptr<HitRows> rows = std::make_unique<HitRows>();
+  bool all_plain = false;  // of the rows
   HitPath path;
   std::vector<std::unique_ptr<Level>> levels;
 };
@@ -151,32 +196,104 @@ size_t SequentialTracer::Impl::Resolve(std::span<const Ray> rays, std::span<RayR
 // One light after the other, in visiting order.
 void SequentialTracer::Impl::Illuminate(std::span<const Ray> rays, size_t count, Level* level,
                                         OpCounts* counts) {
-  ShadowBatch& batch = shadows;
+  if (count == 0) return;
+  rows->Set(rays, {level->surfaces.data(), count}, {level->owners.data(), count});
+  all_plain = std::count(rows->plain, rows->plain + count, 1) == static_cast<ptrdiff_t>(count);
   for (uint32_t light = 0; light < scene.lights.size(); ++light) {
-    size_t traced = 0;
-    for (size_t s = 0; s < count; ++s) {
-      const SurfaceHit& surface = level->surfaces[s];
-      LightSample& sample = batch.samples[traced];
-      if (!SampleLight(scene, light, rays[level->owners[s]], surface, &sample, &batch.rays[traced],
-                       counts)) {
-        continue;
-      }
-      if (!sample.traced) {
-        AddLight(surface, sample, sample.color, &level->colors[s]);
-        continue;
-      }
-      batch.surfaces[traced] = static_cast<uint32_t>(s);
-      batch.limits[traced] = sample.limit;
-      batch.colors[traced] = sample.color;
-      ++traced;
+    const Light& source = *scene.lights[light];
+    const bool by_rows =
+        source.position() != nullptr && scene.settings().shadows && !source.noshadow();
+    if (by_rows) IlluminateByPoint(source, rays, count, level, counts);
+    if (!by_rows || !all_plain) IlluminateBy(light, rays, count, !by_rows, level, counts);
+  }
+}
+
+// What IlluminateBy does, for the plain hits of a light that shines from one point.
+void SequentialTracer::Impl::IlluminateByPoint(const Light& light, std::span<const Ray> rays,
+                                               size_t count, Level* level, OpCounts* counts) {
+  HitRows& r = *rows;
+  const Vector& at = *light.position();
+  const auto size = static_cast<uint32_t>(count);
+  objects.Aim({{r.point[0], r.point[1], r.point[2]},
+               {r.normal[0], r.normal[1], r.normal[2]},
+               size,
+               {at.x, at.y, at.z},
+               {r.toward[0], r.toward[1], r.toward[2]},
+               r.distance,
+               r.cosine});
+  size_t plain = 0, traced = 0;
+  for (size_t s = 0; s < count; ++s) {
+    const bool wanted = r.plain[s] && r.cosine[s] > 0;
+    plain += r.plain[s];
+    traced += wanted;
+    r.blocked[s] = !wanted;
+  }
+  counts->light_samples += plain;
+  counts->shadow_rays += traced;
+  const bool transparent = scene.any_transparent;
+  if (transparent) std::fill_n(r.crossed, count, uint8_t{0});
+  const double reach = std::max({r.reach, std::abs(at.x), std::abs(at.y), std::abs(at.z)});
+  if (traced > 0) {
+    objects.Block({{r.point[0], r.point[1], r.point[2]},
+                   {r.toward[0], r.toward[1], r.toward[2]},
+                   r.distance,
+                   r.time,
+                   {at.x, at.y, at.z},
+                   reach,
+                   r.blocked,
+                   transparent ? r.crossed : nullptr,
+                   size},
+                  counts);
+  }
+  LightSample sample;
+  size_t blocked = 0;
+  for (size_t s = 0; s < count; ++s) {
+    if (r.blocked[s]) {
+      ++blocked;
+      continue;
     }
-    shadow_tracer.Trace({batch.rays.data(), traced}, {batch.limits.data(), traced},
-                        {batch.colors.data(), traced}, {batch.blocked.data(), traced}, counts);
-    for (size_t i = 0; i < traced; ++i) {
-      if (batch.blocked[i]) continue;
-      const uint32_t s = batch.surfaces[i];
-      AddLight(level->surfaces[s], batch.samples[i], batch.colors[i], &level->colors[s]);
+    sample.toward = {r.toward[0][s], r.toward[1][s], r.toward[2][s]};
+    sample.cosine = r.cosine[s];
+    Color arrived = light.intensity();
+    const SurfaceHit& surface = level->surfaces[s];
+    if (transparent && r.crossed[s]) {
+      Ray shadow;
+      MakeShadowRay(rays[level->owners[s]], surface.point, sample.toward, &shadow);
+      if (!shadow_tracer.Pass(shadow, r.distance[s], &arrived, counts)) continue;
     }
+    AddLight(surface, sample, arrived, &level->colors[s]);
+  }
+  counts->shadow_hits += blocked - (count - traced);
+}
+
+// One light. plain_too: else only the hits that are not plain.
+void SequentialTracer::Impl::IlluminateBy(uint32_t light, std::span<const Ray> rays, size_t count,
+                                          bool plain_too, Level* level, OpCounts* counts) {
+  ShadowBatch& batch = shadows;
+  size_t traced = 0;
+  for (size_t s = 0; s < count; ++s) {
+    if (!plain_too && rows->plain[s]) continue;
+    const SurfaceHit& surface = level->surfaces[s];
+    LightSample& sample = batch.samples[traced];
+    if (!SampleLight(scene, light, rays[level->owners[s]], surface, &sample, &batch.rays[traced],
+                     counts)) {
+      continue;
+    }
+    if (!sample.traced) {
+      AddLight(surface, sample, sample.color, &level->colors[s]);
+      continue;
+    }
+    batch.surfaces[traced] = static_cast<uint32_t>(s);
+    batch.limits[traced] = sample.limit;
+    batch.colors[traced] = sample.color;
+    ++traced;
+  }
+  shadow_tracer.Trace({batch.rays.data(), traced}, {batch.limits.data(), traced},
+                      {batch.colors.data(), traced}, {batch.blocked.data(), traced}, counts);
+  for (size_t i = 0; i < traced; ++i) {
+    if (batch.blocked[i]) continue;
+    const uint32_t s = batch.surfaces[i];
+    AddLight(level->surfaces[s], batch.samples[i], batch.colors[i], &level->colors[s]);
   }
 }
 

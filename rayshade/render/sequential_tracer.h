@@ -24,6 +24,9 @@ class ShadowTracer {
   void Trace(std::span<const Ray> rays, std::span<const double> limits, std::span<Color> colors,
              std::span<uint8_t> blocked, OpCounts* counts);
 
+  // What something transparent in its way leaves of a shadow ray's light; false: nothing.
+  bool Pass(const Ray& ray, double limit, Color* color, OpCounts* counts);
+
  private:
   // What is in the way of rays[i] lets light through, more or less.
   bool PassTransparent(const Ray& ray, double limit, Color* color, OpCounts* counts);

@@ -11,6 +11,19 @@ constexpr Color kBlack;
 
 }  // namespace
 
+void MakeShadowRay(const Ray& ray, const Vector& point, const Vector& direction, Ray* shadow) {
+  shadow->origin = point;
+  shadow->direction = direction;
+  shadow->min_distance = kShadowEpsilon;
+  shadow->time = ray.time;
+  shadow->key = ray.key;
+  shadow->sample_number = ray.sample_number;
+  shadow->media_begin = 0;
+  shadow->media_count = 0;
+  shadow->depth = ray.depth;
+  shadow->kind = RayKind::kShadow;
+}
+
 bool SampleLight(const Scene& scene, uint32_t light_number, const Ray& ray, const SurfaceHit& hit,
                  LightSample* sample, Ray* shadow, OpCounts* counts) {
   ++counts->light_samples;
@@ -37,16 +50,7 @@ bool SampleLight(const Scene& scene, uint32_t light_number, const Ray& ray, cons
   sample->light = light_number;
   sample->traced = scene.settings().shadows && !light.noshadow() && !surface.noshadow;
 
-  shadow->origin = hit.point;
-  shadow->direction = arrival->shadow_direction;
-  shadow->min_distance = kShadowEpsilon;
-  shadow->time = ray.time;
-  shadow->key = ray.key;
-  shadow->sample_number = ray.sample_number;
-  shadow->media_begin = 0;
-  shadow->media_count = 0;
-  shadow->depth = ray.depth;
-  shadow->kind = RayKind::kShadow;
+  MakeShadowRay(ray, hit.point, arrival->shadow_direction, shadow);
   if (sample->traced) ++counts->shadow_rays;
   return true;
 }

@@ -64,6 +64,8 @@ struct ShadowRay : LightSample {
   Ray ray;
 };
 
+// The shadow ray of a hit of `ray`.
+void MakeShadowRay(const Ray& ray, const Vector& point, const Vector& direction, Ray* shadow);
 // One light; false where it does not concern the hit. Sets *shadow too, also where it is not
 // traced.
 bool SampleLight(const Scene& scene, uint32_t light, const Ray& ray, const SurfaceHit& hit,

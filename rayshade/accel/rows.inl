@@ -1,0 +1,174 @@
+// Shadow rays of neighbouring hits towards one position, in rows as the hits lie; part of trace.inl.
+// Up to eight groups of eight are in work together. Neighbouring groups are traced as one bundle
+// as long as their pyramid stays narrow; a group that is too wide by itself is traced ray by ray.
+
+RAYSHADE_ROUTINE void Aim(const AimRows& a) {
+  for (uint32_t i = 0; i < a.count; i += 8) {
+    // The very operations of TowardPosition and Normalize (light/point.h, common/vector.h).
+    D8 toward[3];
+    for (int k = 0; k < 3; ++k) toward[k] = SetD(a.position[k]) - LoadD(a.point[k] + i);
+    const D8 length = Sqrt(toward[0] * toward[0] + toward[1] * toward[1] + toward[2] * toward[2]);
+    const uint32_t near = Less(length, SetD(kEpsilon));
+    D8 cosine = SetD(0);
+    for (int k = 0; k < 3; ++k) {
+      const D8 unit = toward[k] / length;
+      toward[k] = near == 0 ? unit : Choose(near, toward[k], unit);
+      Store(toward[k], a.toward[k] + i);
+    }
+    for (int k = 0; k < 3; ++k) {
+      const D8 part = toward[k] * LoadD(a.normal[k] + i);
+      cosine = k == 0 ? part : cosine + part;
+    }
+    Store(near == 0 ? length : Choose(near, SetD(0), length), a.distance + i);
+    Store(cosine, a.cosine + i);
+  }
+}
+
+RAYSHADE_KERNEL void LoadRows(const ShadowRows& rows, uint32_t first, uint32_t count, Bundle* b) {
+  b->rays = nullptr;
+  b->times = rows.times + first;
+  b->groups = static_cast<int>((count + 7) / 8);
+  for (int axis = 0; axis < 3; ++axis) {
+    b->o[axis] = reinterpret_cast<const double (*)[8]>(rows.origin[axis] + first);
+    b->d[axis] = reinterpret_cast<const double (*)[8]>(rows.direction[axis] + first);
+  }
+  for (int g = 0; g < b->groups; ++g) {
+    uint32_t live = 0;
+    for (uint32_t lane = 0; lane < 8; ++lane) {
+      const uint32_t i = 8 * static_cast<uint32_t>(g) + lane;
+      live |= static_cast<uint32_t>(i < count && rows.blocked[first + i] == 0) << lane;
+    }
+    b->live[g] = live;
+    const D8 limit = LoadD(rows.limits + first + 8 * g);
+    Store(limit, b->strict[g]);
+    Store(Choose(live, limit, SetD(-1)), b->best[g]);
+    Store(SetD(kShadowEpsilon), b->least[g]);
+  }
+}
+
+// The apex, rounded outwards. followed: 1 or -1, of the directions from there along the axis.
+RAYSHADE_KERNEL void SetApex(const TraceView& view, const ShadowRows& rows, int axis,
+                             double followed, Bundle* b) {
+  float low[3], high[3];
+  for (int k = 0; k < 3; ++k) {
+    low[k] = FloatBelow(rows.position[k] - view.center[k] - 1e-14 * rows.reach);
+    high[k] = FloatAbove(rows.position[k] - view.center[k] + 1e-14 * rows.reach);
+  }
+  PlaceApex(axis, followed, low, high, b);
+  const Spread apex[3] = {{rows.position[0], rows.position[0]},
+                          {rows.position[1], rows.position[1]},
+                          {rows.position[2], rows.position[2]}};
+  b->pointed = rows.reach < kSureDistance;
+  if (b->pointed) SetViewpoint(view, apex, 1e-14 * rows.reach, b);
+}
+
+// Slopes of the groups along the axis; returns those whose rays all follow it.
+RAYSHADE_KERNEL uint32_t SlopesOfRows(uint32_t groups, int axis, double sign, Bundle* b) {
+  uint32_t good = 0;
+  for (uint32_t m = groups; m != 0; m &= m - 1) {
+    const int g = __builtin_ctz(m);
+    const uint32_t live = b->live[g];
+    const F8 depth = Rounded(LoadD(b->d[axis][g])) * SetF(static_cast<float>(sign));
+    if ((LessEqual(SetF(static_cast<float>(kLeastCosine)), depth) & live) != live) continue;
+    good |= 1u << g;
+    const F8 turned = SetF(-1) / depth;
+    const F8 u = Rounded(LoadD(b->d[b->u][g])) * turned, v = Rounded(LoadD(b->d[b->v][g])) * turned;
+    Store(u, b->ray_u[g]);
+    Store(v, b->ray_v[g]);
+    const F8 most = SetF(1e30f), least = SetF(-1e30f);
+    b->u_low[g] = Least(Choose(live, u, most)) - 3 * kSlopeSlack;
+    b->u_high[g] = Largest(Choose(live, u, least)) + 3 * kSlopeSlack;
+    b->v_low[g] = Least(Choose(live, v, most)) - 3 * kSlopeSlack;
+    b->v_high[g] = Largest(Choose(live, v, least)) + 3 * kSlopeSlack;
+  }
+  return good;
+}
+
+// The groups from the first of `groups` on that make one narrow pyramid, which becomes the whole.
+RAYSHADE_KERNEL uint32_t NarrowRun(uint32_t groups, Bundle* b) {
+  Slopes<float>& w = b->whole;
+  uint32_t run = 0;
+  for (uint32_t m = groups; m != 0; m &= m - 1) {
+    const int g = __builtin_ctz(m);
+    const auto lower = [](float x, float y) { return x < y ? x : y; };
+    const auto higher = [](float x, float y) { return x > y ? x : y; };
+    Slopes<float> next = {b->u_low[g], b->u_high[g], b->v_low[g], b->v_high[g], 0};
+    if (run != 0) {
+      next = {lower(w.u_low, next.u_low), higher(w.u_high, next.u_high),
+              lower(w.v_low, next.v_low), higher(w.v_high, next.v_high), 0};
+      if (next.u_high - next.u_low > kWidestRun || next.v_high - next.v_low > kWidestRun) break;
+    }
+    w = next;
+    run |= 1u << g;
+  }
+  return run;
+}
+
+RAYSHADE_ROUTINE void BlockLive(const TraceView& view, const Bundle& b, uint32_t groups,
+                                const Fate& fate, Counters* counters) {
+  for (; groups != 0; groups &= groups - 1) {
+    const int g = __builtin_ctz(groups);
+    for (uint32_t live = b.live[g]; live != 0; live &= live - 1) {
+      const int lane = __builtin_ctz(live), i = 8 * g + lane;
+      uint8_t met = 0;
+      fate.blocked[i] = OneIsBlocked(view, RayOf(b, i), b.strict[g][lane], &met, counters);
+      if (met && fate.crossed != nullptr) fate.crossed[i] = 1;
+    }
+  }
+}
+
+RAYSHADE_ROUTINE void BlockRowsOfBundle(const TraceView& view, const ShadowRows& rows,
+                                        uint32_t first, uint32_t count, Counters* counters) {
+  Bundle b;
+  LoadRows(rows, first, count, &b);
+  const Fate fate = FateFrom({rows.blocked, rows.crossed}, first);
+  uint32_t left = 0;
+  for (int g = 0; g < b.groups; ++g) left |= static_cast<uint32_t>(b.live[g] != 0) << g;
+  if (view.unbounded_count > 0 || view.node_count == 0) {
+    BlockLive(view, b, left, fate, counters);
+    return;
+  }
+  while (left != 0) {
+    // Along the axis that the first ray follows.
+    const int g = __builtin_ctz(left), lane = __builtin_ctz(b.live[g]);
+    const double d[3] = {b.d[0][g][lane], b.d[1][g][lane], b.d[2][g][lane]};
+    const int axis = LargestAxis(d);
+    const double sign = d[axis] < 0 ? -1 : 1;
+    b.u = axis == 0 ? 1 : 0;
+    b.v = axis == 2 ? 1 : 2;
+    b.axis = axis;
+    b.from_end = true;
+    for (int k = 0; k < kGroups; ++k) b.most[k] = -1;
+    uint32_t good = SlopesOfRows(left, axis, sign, &b);
+    if ((good >> g & 1) == 0) {
+      BlockLive(view, b, 1u << g, fate, counters);
+      left &= ~(1u << g);
+      continue;
+    }
+    left &= ~good;
+    while (good != 0) {
+      const uint32_t run = NarrowRun(good, &b);
+      good &= ~run;
+      const Slopes<float>& w = b.whole;
+      if (w.u_high - w.u_low > kWidestLoneGroup || w.v_high - w.v_low > kWidestLoneGroup) {
+        BlockLive(view, b, run, fate, counters);
+        continue;
+      }
+      for (int k = 0; k < kGroups; ++k) b.most[k] = -1;
+      for (uint32_t m = run; m != 0; m &= m - 1) UpdateMost(&b, __builtin_ctz(m));
+      UpdateWholeMost(&b);
+      SetApex(view, rows, axis, -sign, &b);
+      if (!BlockBundle(view, &b, run, fate, counters)) BlockLive(view, b, run, fate, counters);
+    }
+  }
+}
+
+void BlockRows(const TraceView& view, const ShadowRows& rows, OpCounts* counts) {
+  Counters counters;
+  for (uint32_t i = 0; i < rows.count; i += kBundleSize) {
+    const uint32_t size = rows.count - i < kBundleSize ? rows.count - i : kBundleSize;
+    BlockRowsOfBundle(view, rows, i, size, &counters);
+  }
+  counts->node_visits += counters.nodes;
+  counts->primitive_tests += counters.tests;
+}
