@@ -236,7 +236,8 @@ ObjectSet::Entry ObjectSet::entry(uint32_t object) const {
 size_t ObjectSet::size() const { return impl_->objects.size(); }
 
 size_t ObjectSet::bytes() const {
-  return sizeof *this + sizeof(Impl) + impl_->quads.capacity() * sizeof(float) + impl_->objects.bytes() + impl_->nodes.bytes() +
+  return sizeof *this + sizeof(Impl) + impl_->quads.capacity() * sizeof(float) +
+         impl_->objects.bytes() + impl_->nodes.bytes() +
          impl_->unbounded.capacity() * sizeof(uint32_t) + impl_->opaque.capacity();
 }
 

@@ -299,6 +299,88 @@ TEST(ObjectSet, RaysTowardsALightInBundles) {
   Compare(&world, shadow);
 }
 
+// Points, normals and what Aim makes of them, padded to groups of eight.
+struct Rows {
+  std::vector<double> point[3], normal[3], toward[3], distance, cosine, time;
+  explicit Rows(size_t count) {
+    const size_t room = (count + 7) / 8 * 8;
+    for (int k = 0; k < 3; ++k) {
+      point[k].assign(room, 0.5);
+      normal[k].assign(room, 0.5);
+      toward[k].resize(room);
+    }
+    distance.resize(room);
+    cosine.resize(room);
+    time.resize(room);
+  }
+};
+
+// Hits anywhere, also at the light itself, lit from one position: directions as Normalize gives
+// them, and the answer of a list of all objects for each.
+TEST(ObjectSet, RowsOfShadowRaysTowardsOnePosition) {
+  Random random;
+  World world;
+  AddSpheres(&world, &random, 200, 10);
+  AddFlat(&world, &random, 300, 10);
+  const Vector light{1, -2, 3};
+  for (const bool coherent : {true, false}) {
+    const size_t count = 501;
+    Rows rows(count);
+    std::vector<Vector> points;
+    double reach = 100;
+    for (size_t i = 0; i < count; ++i) {
+      const double x = static_cast<double>(i % 24) / 6, y = static_cast<double>(i / 24) / 6;
+      Vector p = coherent ? Vector{-9 + x, 5 + y, -8} : random.Point(12);
+      if (i % 100 == 99) p = light + 1e-6 * random.Direction();
+      const Vector n = random.Direction();
+      points.push_back(p);
+      for (int k = 0; k < 3; ++k) {
+        rows.point[k][i] = p[k];
+        rows.normal[k][i] = n[k];
+      }
+    }
+    for (const char* simd : kAllKernels) {
+      world.Build(simd);
+      world.set().Aim({{rows.point[0].data(), rows.point[1].data(), rows.point[2].data()},
+                       {rows.normal[0].data(), rows.normal[1].data(), rows.normal[2].data()},
+                       static_cast<uint32_t>(count),
+                       {light.x, light.y, light.z},
+                       {rows.toward[0].data(), rows.toward[1].data(), rows.toward[2].data()},
+                       rows.distance.data(),
+                       rows.cosine.data()});
+      std::vector<uint8_t> blocked(count), crossed(count);
+      for (size_t i = 0; i < count; i += 7) blocked[i] = 1;  // not to be asked about
+      OpCounts counts;
+      world.set().Block({{rows.point[0].data(), rows.point[1].data(), rows.point[2].data()},
+                         {rows.toward[0].data(), rows.toward[1].data(), rows.toward[2].data()},
+                         rows.distance.data(),
+                         rows.time.data(),
+                         {light.x, light.y, light.z},
+                         reach,
+                         blocked.data(),
+                         crossed.data(),
+                         static_cast<uint32_t>(count)},
+                        &counts);
+      size_t shadows = 0;
+      for (size_t i = 0; i < count; ++i) {
+        Vector toward = light - points[i];
+        const double distance = Normalize(&toward);
+        const Vector n{rows.normal[0][i], rows.normal[1][i], rows.normal[2][i]};
+        const Vector got{rows.toward[0][i], rows.toward[1][i], rows.toward[2][i]};
+        ASSERT_EQ(got, toward) << simd << " " << i;
+        ASSERT_EQ(rows.distance[i], distance) << simd << " " << i;
+        ASSERT_EQ(rows.cosine[i], Dot(toward, n)) << simd << " " << i;
+        if (i % 7 == 0) continue;
+        Ray ray = MakeRay(points[i], toward);
+        ray.min_distance = kShadowEpsilon;
+        ASSERT_EQ(blocked[i], world.BlockedInList(ray, distance)) << simd << " " << i;
+        shadows += blocked[i];
+      }
+      EXPECT_GT(shadows, 20u);
+    }
+  }
+}
+
 TEST(ObjectSet, NoHitIsLostAlongFacesEdgesAndCorners) {
   World world;
   // A lattice of touching spheres, and squares on its planes.
