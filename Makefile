@@ -36,6 +36,14 @@ TESTS := $(wildcard tests/*/*_test.cc tests/*/*/*_test.cc tests/support/*.cc)
 TEST_FILTER ?= *
 
 object = $(patsubst %.cc,$(OBJ)/%.o,$(1))
+# The texts of the simulated machines become a part of prayshade-sim.
+MACHINES := $(wildcard parallel/sim/machines/*.machine)
+$(GEN)/parallel/sim/machines.cc: $(MACHINES) Makefile
+	@mkdir -p $(@D)
+	@{ echo '#include "parallel/sim/machine.h"'; echo 'namespace rayshade::parallel {'; \
+	  echo 'static const BuiltInMachine kMachines[] = {'; \
+	  for m in $(MACHINES); do printf '{"%s", R"text(' "$$(basename $$m .machine)"; cat $$m; echo ')text"},'; done; \
+	  echo '};'; echo 'std::span<const BuiltInMachine> BuiltInMachines() { return kMachines; }'; echo '}'; } > $@
 CORE_LIB := $(BUILD)/librayshade.a
 PARALLEL_LIB := $(BUILD)/libparallel.a
 PVM_LIB := $(BUILD)/libparallel_pvm.a
@@ -73,6 +81,9 @@ GENERATED := $(OBJ)/gen/grammar.o $(OBJ)/gen/lexer.o
 $(OBJ)/gen/%.o: $(GEN)/rayshade/scene/%.cc $(GEN)/rayshade/scene/grammar.h
 	@mkdir -p $(@D)
 	$(CXX) $(CPPFLAGS) $(CXXFLAGS) -Wno-error -w -c -o $@ $<
+$(OBJ)/gen/machines.o: $(GEN)/parallel/sim/machines.cc
+	@mkdir -p $(@D)
+	$(CXX) $(CPPFLAGS) $(CXXFLAGS) -c -o $@ $<
 $(call object,$(wildcard rayshade/scene/*.cc)): | $(GEN)/rayshade/scene/grammar.h
 
 # One kernel source per instruction set; which one runs is decided at start (accel/).
@@ -86,7 +97,7 @@ $(OBJ)/%.o: %.cc
 
 $(CORE_LIB): $(call object,$(CORE)) $(if $(wildcard rayshade/scene/grammar.y),$(GENERATED))
 	rm -f $@ && ar rcs $@ $^
-$(PARALLEL_LIB): $(call object,$(PARALLEL))
+$(PARALLEL_LIB): $(call object,$(PARALLEL)) $(OBJ)/gen/machines.o
 	rm -f $@ && ar rcs $@ $^
 $(PVM_LIB): $(call object,$(PVM))
 	rm -f $@ && ar rcs $@ $^
@@ -104,6 +115,9 @@ $(patsubst scenes/%.cc,$(BUILD)/%,$(wildcard scenes/*.cc)): $(BUILD)/%: $(OBJ)/s
 	$(LINK)
 $(BUILD)/unit_tests: $(call object,$(TESTS)) $(PVM_LIB) $(PARALLEL_LIB) $(CORE_LIB)
 	$(LINK) $(if $(wildcard parallel/pvm/*.cc),-lpvm3) -lgtest_main -lgtest -lpthread
+
+$(BUILD)/ping_pong: $(OBJ)/tests/bench/ping_pong.o $(PVM_LIB) $(PARALLEL_LIB) $(CORE_LIB)
+	$(LINK) -lpvm3
 
 demo:
 	@$(MAKE) --no-print-directory $(ALL_CORES) all

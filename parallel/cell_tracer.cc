@@ -104,7 +104,7 @@ void CellTracer::NearestByClipList(const Pyramid& pyramid, std::span<const Ray> 
     some_.clear();
     some_rays_.clear();
     some_hits_.clear();
-    const ObjectSet* set = cache_->Find(clipped.cell);
+    const ObjectSet* set = Searched(clipped.cell);
     for (size_t i = 0; i < rays.size(); ++i) {
       if (clipped.entry > hits[i].distance) continue;
       const RayInterval interval =
@@ -137,7 +137,7 @@ void CellTracer::NearestByWalk(const Ray& ray, const Travel& travel, Hit* hit, H
       [&](CellId cell, const RayInterval& interval) {
         if (interval.entry > hit->distance) return false;
         if (Before(interval, cell, ray, travel.resume)) return true;
-        const ObjectSet* set = cache_->Find(cell);
+        const ObjectSet* set = Searched(cell);
         if (set == nullptr) {
           ++cache_misses_;
           *halt = {cell, interval.entry};

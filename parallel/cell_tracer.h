@@ -37,6 +37,9 @@ class CellTracer {
   CellTracer(const Scene* scene, const CellTree* tree, ProcessId self, const ObjectSet* own,
              ObjectCache* cache);
 
+  // Whether Nearest looks at cached cells (Shadows always does); as made, it does.
+  void set_searches_cache(bool on) { searches_cache_ = on; }
+
   // Held for good: own or resident.
   bool owns(CellId cell) const { return owned_[cell]; }
   bool holds(CellId cell) const { return owned_[cell] || cache_->Holds(cell); }
@@ -86,6 +89,7 @@ class CellTracer {
                          std::span<const Travel> travel, std::span<Hit> hits, std::span<Halt> halts,
                          OpCounts* counts);
   void NearestByWalk(const Ray& ray, const Travel& travel, Hit* hit, Halt* halt, OpCounts* counts);
+  const ObjectSet* Searched(CellId cell) { return searches_cache_ ? cache_->Find(cell) : nullptr; }
   void Cross(const ObjectSet& set, std::span<Shadow*> shadows, OpCounts* counts);
   void ShadowsByClipList(const Pyramid& pyramid, std::span<Shadow*> shadows, OpCounts* counts);
   void ShadowByWalk(Shadow* shadow, OpCounts* counts);
@@ -94,6 +98,7 @@ class CellTracer {
   const CellTree* tree_;
   const ObjectSet* own_;
   ObjectCache* cache_;
+  bool searches_cache_ = true;
   std::vector<uint8_t> owned_;      // by cell
   std::vector<uint8_t> all_owned_;  // by node: nothing below is foreign
   std::vector<Bounds> boxes_;       // by cell

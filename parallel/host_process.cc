@@ -31,11 +31,12 @@ constexpr int kObjectsPerStep = 1024;
 // What one primary ray can occupy at once in all processes together: a pending intersection per
 // level, and a ray on its way or an intersection that waits for the cells of its shadow rays
 // (trace_process.h, invariant 2).
-uint64_t BytesPerPrimaryRay(const SceneSpec& scene) {
+uint64_t BytesPerPrimaryRay(const SceneSpec& scene, Shadows shadows) {
   const uint64_t levels = static_cast<uint64_t>(scene.settings.max_depth) + 1;
   return levels * sizeof(PendingIntersection) + sizeof(WaitingShade) + sizeof(Ray) +
          sizeof(Travel) +
-         (scene.lights.size() + 1) * (sizeof(ShadowRay) + sizeof(std::vector<ShadowCrossing>) + 16);
+         (scene.lights.size() + 1) * (sizeof(ShadowRay) + sizeof(std::vector<ShadowCrossing>) + 16 +
+                                      (shadows == Shadows::kTravel ? sizeof(ShadowTravel) : 0));
 }
 
 std::string Bytes(uint64_t n) { return std::to_string(n) + " bytes"; }
@@ -101,8 +102,9 @@ void HostProcess::PlanMemory() {
   // meanwhile.
   const uint64_t plenty =
       uint64_t{32} * options_.processes * std::max<uint32_t>(options_.pyramid, 256);
-  const uint64_t allowed =
-      options_.memory == 0 ? plenty : for_rays / BytesPerPrimaryRay(spool_->scene());
+  const uint64_t allowed = options_.memory == 0
+                               ? plenty
+                               : for_rays / BytesPerPrimaryRay(spool_->scene(), options_.shadows);
   in_flight_limit_ = static_cast<uint32_t>(std::clamp<uint64_t>(allowed, 1, plenty));
   if (options_.rays_in_flight != 0) in_flight_limit_ = options_.rays_in_flight;
 }

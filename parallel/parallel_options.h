@@ -16,6 +16,7 @@ namespace rayshade::parallel {
 struct ParallelOptions {
   Schedule schedule = Schedule::kHybrid;
   Distribution distribution = Distribution::kGrid;
+  Shadows shadows = Shadows::kLocal;
   std::optional<uint16_t> processes;
   std::optional<uint64_t> memory, resident, cache;  // bytes
   uint32_t pyramid = 1024;                          // primary rays

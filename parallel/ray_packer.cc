@@ -12,6 +12,7 @@ constexpr size_t kPackBytes = 16000;
 // What things take in a message, about.
 constexpr size_t kPrimaryBytes = 24, kRayBytes = 131, kMediumBytes = 16;
 constexpr size_t kResultBytes = 41, kPixelBytes = 33, kVoidBytes = 8;
+constexpr size_t kShadowBytes = 160, kCrossingBytes = 50, kShadowResultBytes = 33;
 
 }  // namespace
 
@@ -69,6 +70,33 @@ void RayPacker::AddResult(ProcessId to, const ResultItem& result, Outbox* outbox
   outbox->Send(to, Encode(RayResults{std::exchange(results, {})}));
 }
 
+void RayPacker::AddShadow(ProcessId to, ShadowTravel shadow, Outbox* outbox) {
+  Pack& pack = packs_[to];
+  pack.shadow_bytes += kShadowBytes + shadow.crossings.size() * kCrossingBytes;
+  pack.shadows.rays.push_back(std::move(shadow));
+  if (pack.shadow_bytes >= kPackBytes) SendShadows(to, &pack, outbox);
+}
+
+void RayPacker::SendShadows(ProcessId to, Pack* pack, Outbox* outbox) {
+  if (pack->shadow_bytes == 0) return;
+  outbox->Send(to, Encode(pack->shadows));
+  pack->shadows.rays.clear();
+  pack->shadow_bytes = 0;
+}
+
+void RayPacker::AddShadowResult(ProcessId to, const ShadowItem& result, Outbox* outbox) {
+  Pack& pack = packs_[to];
+  pack.shadow_results.results.push_back(result);
+  if (pack.shadow_results.results.size() * kShadowResultBytes >= kPackBytes)
+    SendShadowResults(to, &pack, outbox);
+}
+
+void RayPacker::SendShadowResults(ProcessId to, Pack* pack, Outbox* outbox) {
+  if (pack->shadow_results.results.empty()) return;
+  outbox->Send(to, Encode(pack->shadow_results));
+  pack->shadow_results.results.clear();
+}
+
 void RayPacker::AddPixel(const PixelItem& pixel, Outbox* outbox) {
   pixels_.results.push_back(pixel);
   if (pixels_.results.size() * kPixelBytes >= kPackBytes) SendPixels(outbox);
@@ -88,6 +116,8 @@ void RayPacker::Flush(Outbox* outbox) {
     if (!pack.results.empty()) {
       outbox->Send(to, Encode(RayResults{std::exchange(pack.results, {})}));
     }
+    SendShadows(to, &pack, outbox);
+    SendShadowResults(to, &pack, outbox);
   }
   SendPixels(outbox);
 }
@@ -96,7 +126,9 @@ size_t RayPacker::bytes() const {
   size_t bytes = packs_.size() * sizeof(Pack) + pixels_.voids.capacity() * sizeof(uint64_t) +
                  pixels_.results.capacity() * sizeof(PixelItem);
   for (const Pack& p : packs_) {
-    bytes += 2 * (p.rays.bytes + p.intersections.bytes) + p.results.capacity() * sizeof(ResultItem);
+    bytes += 2 * (p.rays.bytes + p.intersections.bytes) +
+             p.results.capacity() * sizeof(ResultItem) + 2 * p.shadow_bytes +
+             p.shadow_results.results.capacity() * sizeof(ShadowItem);
   }
   return bytes;
 }

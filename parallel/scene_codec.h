@@ -9,6 +9,7 @@
 #include "rayshade/common/ray.h"
 #include "rayshade/render/camera.h"
 #include "rayshade/scene/scene.h"
+#include "rayshade/shade/crossing.h"
 
 namespace rayshade {
 
@@ -186,6 +187,10 @@ template <class A> void Fields(A& a, RayBundle& b) {
     }
     if (at != b.media.size()) throw parallel::WireError("media that belong to no ray");
   }
+}
+template <class A> void Fields(A& a, ShadowCrossing& c) {
+  a("distance", c.distance); a("rank", c.rank); a("through", c.through); a("extinct", c.extinct);
+  a("entering", c.entering); a("opaque", c.opaque);
 }
 template <class A> void Fields(A& a, OpCounts& c) {
 #define RAYSHADE_FIELD(name) a(#name, c.name);

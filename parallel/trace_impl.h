@@ -1,5 +1,6 @@
 // The state of a trace process and its steps; private to trace_process.cc (messages), trace_rays.cc
-// (tracing and fetching) and trace_shading.cc (spawning, gathering, shading).
+// (tracing and fetching), trace_shadows.cc (shadow rays that travel) and trace_shading.cc
+// (spawning, gathering, shading).
 #pragma once
 
 #include <deque>
@@ -24,7 +25,10 @@
 
 namespace rayshade::parallel {
 
-// A hit whose shadow rays wait for cells.
+// In WaitingShade::arrived: the shadow ray is with another process.
+inline constexpr uint8_t kUnknown = 2;
+
+// A hit whose shadow rays wait for cells, or travel.
 struct WaitingShade {
   Ray ray;
   std::vector<Medium> media;
@@ -87,13 +91,20 @@ struct TraceProcess::Impl {
   WaitingForCell& WaitFor(CellId cell);
   void RequestCells(Outbox* outbox);
 
+  // trace_shadows.cc
+  void On(ProcessId from, ShadowTask& message, Outbox* outbox);
+  void On(ProcessId from, ShadowResults& message, Outbox* outbox);
+  void SendShadow(const ReturnAddress& back, const CellTracer::Shadow& shadow, Outbox* outbox);
+  void TraceShadowTasks(Outbox* outbox);
+
   // trace_shading.cc
   bool Arrives(CellTracer::Shadow* shadow);
   void ShadeHits(Outbox* outbox);
   void TraceShadows(std::vector<uint32_t>* first);
-  void PutAside(size_t i, std::span<const uint32_t> first);
+  void PutAside(size_t i, std::span<const uint32_t> first, Outbox* outbox);
   void ResumeShadows(const std::vector<std::pair<uint32_t, uint32_t>>& shadows, CellId cell,
                      Outbox* outbox);
+  void FinishWaiting(uint32_t slot, Outbox* outbox);
   void Lit(const Ray& ray, std::span<const Medium> media, double distance, const SurfaceHit& hit,
            std::span<const ShadowRay> shadows, std::span<const uint8_t> arrived,
            const ReturnAddress& back, Outbox* outbox);
@@ -123,6 +134,7 @@ struct TraceProcess::Impl {
   // Rays in work.
   std::deque<Sample> samples;  // of PyraClip tasks, not begun
   WorkQueue queue;
+  std::deque<ShadowTravel> shadow_tasks;
   RayQueue transferred;  // hits from other processes, to be located and shaded
   std::deque<CellReply> arrived_cells;
   std::map<CellId, WaitingForCell> waiting;

@@ -59,6 +59,10 @@ void TraceProcess::Receive(ProcessId from, std::span<const uint8_t> bytes, Outbo
       return p.Handle<CellRequest>(from, bytes, outbox);
     case Tag::kCellReply:
       return p.Handle<CellReply>(from, bytes, outbox);
+    case Tag::kShadowTask:
+      return p.Handle<ShadowTask>(from, bytes, outbox);
+    case Tag::kShadowResults:
+      return p.Handle<ShadowResults>(from, bytes, outbox);
     default:
       throw WireError(std::string(NameOf(tag)) + " is not for a trace process");
   }
@@ -159,6 +163,7 @@ void TraceProcess::Impl::On(ProcessId, Distributed&, Outbox* outbox) {
   if (tracer != nullptr) throw WireError("Distributed twice");
   own->Build();
   tracer = std::make_unique<CellTracer>(scene.get(), &tree, self, own.get(), cache.get());
+  tracer->set_searches_cache(SearchesCache(options.schedule));
   NoteBytes();
   Ready ready;
   ready.bytes_held = own->bytes() + images.bytes();
@@ -316,9 +321,8 @@ void TraceProcess::Impl::On(ProcessId, Stop&, Outbox* outbox) {
 
 bool TraceProcess::Impl::AskForWork(Outbox* outbox) {
   if (!AsksForWork(options.schedule) || requests >= kRequestsAhead) return false;
-  if (!ShortOfWork(samples.size() + queue.size() + transferred.size(), waiting_rays,
-                   options.pyramid))
-    return false;
+  const size_t ready = samples.size() + queue.size() + transferred.size() + shadow_tasks.size();
+  if (!ShortOfWork(ready, waiting_rays, options.pyramid)) return false;
   ++requests;
   outbox->Send(kHost, Encode(WorkRequest{}));
   return true;
@@ -328,13 +332,15 @@ bool TraceProcess::Impl::Work(Outbox* outbox) {
   if (tracer == nullptr || stopped) return false;
   AskForWork(outbox);
   if (++steps % kStepsPerFlush == 0) packer->Flush(outbox);
-  // What frees memory goes first: cells that rays wait for, then the deepest rays of which there is
-  // a whole step (few rays at a time are traced badly). Then hits that others found, primary rays,
-  // and at last what rays there are.
+  // What frees memory goes first: cells that rays wait for, shadow rays, then the deepest rays of
+  // which there is a whole step (few rays at a time are traced badly). Then hits that others found,
+  // primary rays, and at last what rays there are.
   if (!arrived_cells.empty()) {
     CellReply reply = std::move(arrived_cells.front());
     arrived_cells.pop_front();
     TakeCell(std::move(reply), outbox);
+  } else if (!shadow_tasks.empty()) {
+    TraceShadowTasks(outbox);
   } else {
     step.clear();
     if (queue.PopFull(&step)) {
@@ -362,6 +368,7 @@ void TraceProcess::Impl::NoteBytes() {
   bytes_held = own->bytes() + images.bytes() + cache->bytes() + tracer->bytes() + queue.bytes() +
                transferred.bytes() + pending.bytes() + packer->bytes() +
                waiting_rays * (sizeof(Ray) + sizeof(Travel)) +
+               shadow_tasks.size() * sizeof(ShadowTravel) +
                (waiting_shades.size() - free_waiting_shades.size()) * sizeof(WaitingShade);
   statistics.bytes_held_max = std::max(statistics.bytes_held_max, bytes_held);
 }

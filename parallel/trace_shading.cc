@@ -31,7 +31,7 @@ void TraceProcess::Impl::ShadeHits(Outbox* outbox) {
     const size_t begin = first[i], count = first[i + 1] - begin;
     if (std::any_of(halted.begin() + begin, halted.begin() + begin + count,
                     [](CellId c) { return c != kNoCell; })) {
-      PutAside(i, first);
+      PutAside(i, first, outbox);
       continue;
     }
     Lit(batch.bundle.rays[i], batch.media(i), distances[i], resolved[i],
@@ -83,8 +83,9 @@ void TraceProcess::Impl::TraceShadows(std::vector<uint32_t>* first) {
   }
 }
 
-// Hit i of the batch waits for cells that its shadow rays need.
-void TraceProcess::Impl::PutAside(size_t i, std::span<const uint32_t> first) {
+// Hit i of the batch waits for cells that its shadow rays need, or for the results of those that
+// travel.
+void TraceProcess::Impl::PutAside(size_t i, std::span<const uint32_t> first, Outbox* outbox) {
   uint32_t slot;
   if (free_waiting_shades.empty()) {
     slot = static_cast<uint32_t>(waiting_shades.size());
@@ -103,9 +104,18 @@ void TraceProcess::Impl::PutAside(size_t i, std::span<const uint32_t> first) {
   for (uint32_t s = first[i]; s < first[i + 1]; ++s) {
     shade->shadows.push_back(shadows[s]);
     shade->arrived.push_back(arrived[s]);
+    if (halted[s] != kNoCell) ++shade->unknown;
+    if (halted[s] != kNoCell && options.shadows == Shadows::kTravel) {
+      shade->arrived.back() = kUnknown;
+      CellTracer::Shadow shadow;
+      shadow.shadow = &shadows[s];
+      if (scene->any_transparent) shadow.crossings = &crossings[s];
+      shadow.halt.cell = halted[s];
+      SendShadow({self, uint64_t{slot} << 32 | (s - first[i])}, shadow, outbox);
+      continue;
+    }
     if (scene->any_transparent) shade->crossings.push_back(std::move(crossings[s]));
     if (halted[s] == kNoCell) continue;
-    ++shade->unknown;
     WaitFor(halted[s]).shadows.emplace_back(slot, s - first[i]);
   }
   waiting_shades[slot] = std::move(shade);
@@ -131,12 +141,16 @@ void TraceProcess::Impl::ResumeShadows(const std::vector<std::pair<uint32_t, uin
       continue;
     }
     shade.arrived[s] = Arrives(&some[k]);
-    if (--shade.unknown > 0) continue;
-    const std::unique_ptr<WaitingShade> done = std::move(waiting_shades[slot]);
-    free_waiting_shades.push_back(slot);
-    Lit(done->ray, done->media, done->distance, done->hit, done->shadows, done->arrived, done->back,
-        outbox);
+    if (--shade.unknown == 0) FinishWaiting(slot, outbox);
   }
+}
+
+// The last shadow ray of a waiting hit is decided.
+void TraceProcess::Impl::FinishWaiting(uint32_t slot, Outbox* outbox) {
+  const std::unique_ptr<WaitingShade> done = std::move(waiting_shades[slot]);
+  free_waiting_shades.push_back(slot);
+  Lit(done->ray, done->media, done->distance, done->hit, done->shadows, done->arrived, done->back,
+      outbox);
 }
 
 // All shadow rays of a hit are decided: lights are folded, secondary rays spawned.

@@ -15,6 +15,9 @@ namespace rayshade::parallel {
 inline bool ForwardsRays(Schedule schedule) { return schedule != Schedule::kDemandDriven; }
 // A hit: shaded by the owner of the cell in which it lies, or where it was found.
 inline bool TransfersHits(Schedule schedule) { return schedule != Schedule::kDemandDriven; }
+// Rays meet the cells that were fetched for shadow rays as well; else the voxel alone, so that
+// which rays are handed on does not depend on what was fetched before.
+inline bool SearchesCache(Schedule schedule) { return schedule != Schedule::kDataParallel; }
 // Primary rays: on request, or pushed to the voxels that they enter.
 inline bool AsksForWork(Schedule schedule) { return schedule != Schedule::kDataParallel; }
 

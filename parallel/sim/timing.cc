@@ -17,14 +17,15 @@ double Difference(uint64_t after, uint64_t before) { return static_cast<double>(
 // Rays, operations and objects of `after` that are not in `before`.
 double CostBetween(const Machine& m, const WorkDone& before, const WorkDone& after) {
   const OpCounts &a = before.counts, &b = after.counts;
-  return m.ray * Difference(b.total_rays(), a.total_rays()) +
-         m.node_visit * Difference(b.node_visits, a.node_visits) +
-         m.primitive_test * Difference(b.primitive_tests, a.primitive_tests) +
-         m.cell_step * Difference(b.cell_steps, a.cell_steps) +
-         m.shade * Difference(b.shades, a.shades) +
-         m.light_sample * Difference(b.light_samples, a.light_samples) +
-         m.object * Difference(after.objects_taken, before.objects_taken) +
-         m.sample * Difference(after.samples, before.samples);
+  const double operations = m.ray * Difference(b.total_rays(), a.total_rays()) +
+                            m.node_visit * Difference(b.node_visits, a.node_visits) +
+                            m.primitive_test * Difference(b.primitive_tests, a.primitive_tests) +
+                            m.cell_step * Difference(b.cell_steps, a.cell_steps) +
+                            m.shade * Difference(b.shades, a.shades) +
+                            m.light_sample * Difference(b.light_samples, a.light_samples) +
+                            m.object * Difference(after.objects_taken, before.objects_taken) +
+                            m.sample * Difference(after.samples, before.samples);
+  return m.slowness * m.node_slowness * operations;
 }
 
 }  // namespace

@@ -118,6 +118,7 @@ TEST(PaperSection3, ShadowRaysNeverLeaveTheProcessThatSpawnedThem) {
     for (const SentMessage& s : run.sent) {
       for (const Traveller& t : run.Travellers(s)) EXPECT_NE(t.ray.kind, RayKind::kShadow);
     }
+    EXPECT_EQ(run.Count(Tag::kShadowTask), 0u);
     uint64_t shadow_rays = 0;
     for (const Statistics& s : run.processes) shadow_rays += s.counts.shadow_rays;
     EXPECT_EQ(shadow_rays, sequential.shadow_rays) << Name(schedule);
