@@ -2,6 +2,7 @@
 // transport, as lines "NAME SECONDS" of a machine (parallel/sim/machine.h). Run it in a virtual
 // machine: pvm_conf/private-vm build/ping_pong. It spawns itself as the other side.
 //
+//   step                       looking for messages where there is none
 //   send + bytes x pack        encoding rays, and handing the message to PVM
 //   receive + bytes x unpack   taking in a message that is there, and decoding it
 //   local_latency + bytes x local_gap   what is left of the way to and fro
@@ -117,6 +118,17 @@ Cost Measure(PvmTransport* transport, size_t rays) {
   return cost;
 }
 
+double EmptyLook(PvmTransport* transport) {
+  Arrival arrival;
+  std::vector<double> looks;
+  for (int i = 0; i < kRounds; ++i) {
+    const Clock::time_point begin = Clock::now();
+    transport->Receive(0, &arrival);
+    looks.push_back(Since(begin));
+  }
+  return Median(looks);
+}
+
 // The line through the first and the last: a + bytes x b, neither negative.
 void PrintLine(const char* a, const char* b, const std::vector<Cost>& costs, auto seconds) {
   const Cost &first = costs.front(), &last = costs.back();
@@ -137,6 +149,7 @@ int Ping() {
     throw std::runtime_error("pvm_spawn(" + std::string(self) + "): " + PvmErrorText(tid));
   PvmTransport transport({tid}, /*raw=*/true);
   transport.StartFrame();
+  std::printf("step %.4g\n", EmptyLook(&transport));
   std::vector<Cost> costs;
   for (const size_t rays : kRays) costs.push_back(Measure(&transport, rays));
   transport.SendLeave();

@@ -26,8 +26,15 @@ Message Example() {
   if constexpr (requires { message.voids; }) {
     message.voids = {1, 2, 3};
     message.results = {{7, {1, 2, 3}, true}, {8, {}, false}};
+  } else if constexpr (std::is_same_v<Message, ShadowResults>) {
+    message.results = {{7, true, {1, 2, 3}}, {8, false, {}}};
   } else if constexpr (requires { message.results; }) {
     message.results = {{7, {1, 2, 3}, 4, true}, {8, {}, 1e14, false}};
+  }
+  if constexpr (std::is_same_v<Message, ShadowTask>) {
+    message.rays.resize(2);
+    message.rays[0].back = {3, 7};
+    message.rays[0].crossings = {{1.5, 9, {1, 2, 3}, .5, true, false}, {}};
   }
   if constexpr (requires { message.samples; })
     message.samples = {{1, 2, 3, true}, {4, 5, 6, false}};
