@@ -52,7 +52,7 @@ PROGRAMS := $(BUILD)/rayshade $(patsubst scenes/%.cc,$(BUILD)/%,$(wildcard scene
   $(if $(wildcard parallel/pvm/trace_main.cc),$(BUILD)/prayshade-trace) \
   $(if $(wildcard parallel/sim/sim_main.cc),$(BUILD)/prayshade-sim)
 
-.PHONY: all deps demo test reference doc gallery stability lint help clean bench calibrate agreement
+.PHONY: all deps demo test reference doc gallery stability lint help clean bench calibrate agreement table1 figures map sensitivity
 all: $(PROGRAMS)
 
 help:
@@ -63,6 +63,8 @@ help:
 	@echo "make doc        print doc/messages.md from the catalogue of messages"
 	@echo "make bench      ratios of tracing times (BENCH_RUNS=5 BENCH_PIXELS=1024)"
 	@echo "make calibrate  measure this machine for the simulator; make agreement compares the two"
+	@echo "make table1     the paper's table 1 on its machine, simulated; figures: its figures 7 and 8 (TIMELINES=...)"
+	@echo "make map        which schedule wins where; sensitivity: what each constant of the machine changes"
 	@echo "make gallery    render the small pictures of doc/scene_language.md"
 	@echo "make lint       who includes whom, and the format"
 	@echo "make deps       install what is missing for all of this (apt-get; root or sudo)"
@@ -155,6 +157,12 @@ calibrate: all $(BUILD)/ping_pong
 	@tests/bench/calibrate.sh $(BUILD)
 agreement: all
 	@tests/bench/agreement.sh $(BUILD)
+
+# The paper's experiments on the simulated machine; RAYSHADE_SHARED: where the real conference room is, if anywhere.
+table1 map sensitivity: $(BUILD)/prayshade-sim $(BUILD)/sphereflake
+	@doc/charts/$@.sh $(BUILD)
+figures: $(BUILD)/prayshade-sim
+	@doc/charts/figures.sh $(BUILD) $(TIMELINES)
 
 # The pictures of the manual of the scene language; they are the same on every machine.
 GALLERY := $(patsubst scenes/gallery/%.ray,doc/gallery/%.png,$(wildcard scenes/gallery/*.ray))

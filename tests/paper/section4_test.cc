@@ -334,9 +334,11 @@ TEST(PaperSection4, AVoidGoesStraightToTheHost) {
 // Every arrow of the run is one of the catalogue.
 TEST(PaperSection4, MessagesFlowAlongTheArrowsOfFigure5) {
   std::set<Tag> seen;
-  for (Schedule schedule : {Schedule::kDataParallel, Schedule::kDemandDriven, Schedule::kHybrid}) {
-    RunOptions options = HybridOptions();
-    options.schedule = schedule;
+  std::vector<RunOptions> runs(4, HybridOptions());
+  runs[0].schedule = Schedule::kDataParallel;
+  runs[1].schedule = Schedule::kDemandDriven;
+  runs[2].shadows = Shadows::kTravel;
+  for (const RunOptions& options : runs) {
     for (const SentMessage& s : RecordRun(Balls(2, 24), options, 1).sent) {
       ForEachMessage([&]<class Message>() {
         if (Message::kTag != s.tag) return;
