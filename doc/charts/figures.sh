@@ -25,6 +25,7 @@ awk -F, -v OFS=, 'BEGIN { print "process,data_rays,forwarded_share,demand_rays" 
 rm -f "$out"/*.bars
 number=0
 for timeline in "$@"; do
+  number=$((number + 1))
   awk -F, -v OFS=, '
     $1 == "run" { schedule = $2; n = $3; begin = $4; end = $5; width = (end - begin) / 100 }
     $1 == "busy" { step = $4 - $3; if (step > widest) widest = step; m++; from[m] = $3; to[m] = $4; busy[m] = $5 }
@@ -41,9 +42,9 @@ for timeline in "$@"; do
       for (k = 0; k < bars; k++) {
         inside = (begin + (k + 1) * width < end ? width : end - begin - k * width)
         share = sum[k] / (inside * n)
-        print schedule, n, k * width, k * width + inside, share > 1 ? 1 : share
+        print schedule, n, k * width, k * width + inside, (share > 1 ? 1 : share)
       }
-    }' "$timeline" >"$out/$((number += 1)).bars" || exit 1
+    }' "$timeline" >"$out/$number.bars" || exit 1
 done
 { echo "schedule,processes,from,to,busy_share"; cat "$out"/*.bars; } >"$data/figure8.csv"
 echo "$data/figure7.csv $data/figure8.csv"
