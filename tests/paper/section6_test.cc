@@ -11,13 +11,13 @@
 namespace rayshade::parallel {
 namespace {
 
-struct Run {
+struct SimulatedRun {
   double seconds = 0;
   std::vector<Statistics> processes;
   double begin = 0, end = 0;
 };
 
-Run Simulate(const std::string& file, int pixels, Schedule schedule, int processes) {
+SimulatedRun Simulate(const std::string& file, int pixels, Schedule schedule, int processes) {
   Options options;
   options.program = "test";
   options.input = file;
@@ -38,7 +38,7 @@ Run Simulate(const std::string& file, int pixels, Schedule schedule, int process
 }
 
 // Pearson's correlation of two figures of each process.
-double Correlation(const Run& run, auto a, auto b) {
+double Correlation(const SimulatedRun& run, auto a, auto b) {
   const double n = static_cast<double>(run.processes.size());
   double sa = 0, sb = 0, saa = 0, sbb = 0, sab = 0;
   for (const Statistics& s : run.processes) {
@@ -49,7 +49,7 @@ double Correlation(const Run& run, auto a, auto b) {
 }
 
 // Seconds that a process is busy between two moments of tracing, given as shares of it.
-double Busy(const Run& run, const Statistics& s, double from, double to) {
+double Busy(const SimulatedRun& run, const Statistics& s, double from, double to) {
   const double begin = run.begin + from * (run.end - run.begin);
   const double end = run.begin + to * (run.end - run.begin);
   double busy = 0;
@@ -60,7 +60,7 @@ double Busy(const Run& run, const Statistics& s, double from, double to) {
   return busy;
 }
 
-double ShareBusy(const Run& run, double from, double to) {
+double ShareBusy(const SimulatedRun& run, double from, double to) {
   double busy = 0;
   for (const Statistics& s : run.processes) busy += Busy(run, s, from, to);
   return busy / ((to - from) * (run.end - run.begin) * static_cast<double>(run.processes.size()));
@@ -71,8 +71,8 @@ constexpr char kBalls[] = "scenes/balls5.ray";
 // "The figures show that data parallel rendering alone is not scalable and performs rather poorly."
 // Tolerance: eight times as many processes are not even three times as fast.
 TEST(PaperSection6, DataParallelRenderingAloneIsNotScalable) {
-  const Run two = Simulate(kBalls, 128, Schedule::kDataParallel, 2);
-  const Run sixteen = Simulate(kBalls, 128, Schedule::kDataParallel, 16);
+  const SimulatedRun two = Simulate(kBalls, 128, Schedule::kDataParallel, 2);
+  const SimulatedRun sixteen = Simulate(kBalls, 128, Schedule::kDataParallel, 16);
   EXPECT_GT(3 * sixteen.seconds, two.seconds);
 }
 
@@ -80,8 +80,8 @@ TEST(PaperSection6, DataParallelRenderingAloneIsNotScalable) {
 // least.
 TEST(PaperSection6, HybridBeatsDataParallelFromEightProcessesOn) {
   for (int processes : {8, 16, 32}) {
-    const Run data = Simulate(kBalls, 128, Schedule::kDataParallel, processes);
-    const Run hybrid = Simulate(kBalls, 128, Schedule::kHybrid, processes);
+    const SimulatedRun data = Simulate(kBalls, 128, Schedule::kDataParallel, processes);
+    const SimulatedRun hybrid = Simulate(kBalls, 128, Schedule::kHybrid, processes);
     EXPECT_LT(hybrid.seconds, 0.9 * data.seconds) << processes;
   }
 }
@@ -89,7 +89,7 @@ TEST(PaperSection6, HybridBeatsDataParallelFromEightProcessesOn) {
 // "The processors that have only a few data parallel tasks, receive a large number of demand driven
 // rays and vice versa." Figure 7. Tolerance: a correlation below -0.5.
 TEST(PaperSection6, DemandDrivenRaysComplementTheDataParallelOnes) {
-  const Run run = Simulate(kBalls, 128, Schedule::kHybrid, 16);
+  const SimulatedRun run = Simulate(kBalls, 128, Schedule::kHybrid, 16);
   EXPECT_LT(Correlation(
                 run, [](const Statistics& s) { return s.data_rays + s.counts.hits; },
                 [](const Statistics& s) { return s.demand_rays; }),
@@ -118,7 +118,7 @@ TEST(PaperSection6, MoreLightsAddToTheImbalance) {
 // constant over time" [RJ s.7]. Tolerance: objects and busy seconds correlate by less than 0.8, and
 // the busiest of the first third is another one than the busiest of the last.
 TEST(PaperSection6, ImbalanceDoesNotFollowTheObjectsAndMovesWithTime) {
-  const Run run = Simulate(kBalls, 128, Schedule::kDataParallel, 16);
+  const SimulatedRun run = Simulate(kBalls, 128, Schedule::kDataParallel, 16);
   EXPECT_LT(Correlation(
                 run, [](const Statistics& s) { return s.objects; },
                 [&](const Statistics& s) { return Busy(run, s, 0, 1); }),
@@ -137,7 +137,7 @@ TEST(PaperSection6, ImbalanceDoesNotFollowTheObjectsAndMovesWithTime) {
 // efficiency. At this point the demand driven tasks are all finished." Figure 8. Tolerance: the
 // first half is half as busy again as the last tenth.
 TEST(PaperSection6, EfficiencyDropsWhenTheDemandDrivenTasksAreFinished) {
-  const Run run = Simulate(kBalls, 128, Schedule::kHybrid, 16);
+  const SimulatedRun run = Simulate(kBalls, 128, Schedule::kHybrid, 16);
   EXPECT_GT(ShareBusy(run, 0, .5), 1.5 * ShareBusy(run, .9, 1));
 }
 
