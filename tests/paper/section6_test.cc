@@ -101,7 +101,7 @@ TEST(PaperSection6, DemandDrivenRaysComplementTheDataParallelOnes) {
 TEST(PaperSection6, MoreLightsAddToTheImbalance) {
   double imbalance[2];
   for (int i = 0; i < 2; ++i) {
-    const Run run =
+    const SimulatedRun run =
         Simulate(i == 0 ? "scenes/room8.ray" : "scenes/room30.ray", 64, Schedule::kHybrid, 16);
     double sum = 0, most = 0;
     for (const Statistics& s : run.processes) {
