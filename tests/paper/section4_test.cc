@@ -337,9 +337,10 @@ TEST(PaperSection4, MessagesFlowAlongTheArrowsOfFigure5) {
   std::vector<RunOptions> runs(4, HybridOptions());
   runs[0].schedule = Schedule::kDataParallel;
   runs[1].schedule = Schedule::kDemandDriven;
+  runs[2].schedule = Schedule::kDataParallel;
   runs[2].shadows = Shadows::kTravel;
   for (const RunOptions& options : runs) {
-    for (const SentMessage& s : RecordRun(Balls(2, 24), options, 1).sent) {
+    for (const SentMessage& s : RecordRun(Balls(3, 32), options, 1).sent) {
       ForEachMessage([&]<class Message>() {
         if (Message::kTag != s.tag) return;
         seen.insert(s.tag);
