@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "parallel/image_table.h"
@@ -71,6 +72,9 @@ class HostProcess : public Process {
   void On(ProcessId from, const Text& message, Outbox* outbox);
   void On(ProcessId from, const Failure& message, Outbox* outbox);
 
+  void Balance();
+  std::pair<ProcessId, uint64_t> FullestProcess() const;
+  uint64_t SpareBytes() const;
   void PlanMemory();
   void SendSetUp(Outbox* outbox);
   bool Distribute(Outbox* outbox);

@@ -47,7 +47,8 @@ Schedule ScheduleOf(const std::string& name, const std::string& value) {
 
 Distribution DistributionOf(const std::string& name, const std::string& value) {
   if (value == "grid") return Distribution::kGrid;
-  Refuse(name, value, "grid");
+  if (value == "balanced") return Distribution::kBalanced;
+  Refuse(name, value, "grid or balanced");
 }
 
 void Read(const std::string& name, const std::string& value, ParallelOptions* options) {
@@ -79,7 +80,8 @@ std::vector<LongOption> ParallelLongOptions() {
   return {
       {"processes", "N", "trace processes  [one for each processor]"},
       {"schedule", "NAME", "data-parallel, demand-driven, hybrid  [hybrid]"},
-      {"distribution", "NAME", "how objects are spread: grid, equal voxels  [grid]"},
+      {"distribution", "NAME",
+       "who owns what: balanced, by predicted work; grid, equal voxels  [balanced]"},
       {"memory", "SIZE", "budget of one trace process: 4096, 64K, 12M, 2G; 0: no limit"},
       {"resident", "SIZE", "objects near the eye that every process holds"},
       {"cache", "SIZE", "fetched objects that a process keeps"},

@@ -23,7 +23,7 @@ class RayPacker {
   // Results of secondary rays, to their spawners.
   void AddResult(ProcessId to, const ResultItem& result, Outbox* outbox);
   // Results of primary rays, to the host.
-  void AddPixel(const PixelItem& pixel, Outbox* outbox);
+  void AddPixel(const PixelItem& pixel, bool hit, Outbox* outbox);
   void AddVoid(uint64_t token, Outbox* outbox);
   void Flush(Outbox* outbox);
   size_t bytes() const;

@@ -159,6 +159,8 @@ void TraceProcess::Impl::On(ProcessId, Distributed&, Outbox* outbox) {
   if (tracer != nullptr) throw WireError("Distributed twice");
   own->Build();
   tracer = std::make_unique<CellTracer>(scene.get(), &tree, self, own.get(), cache.get());
+  const bool plenty = options.memory == 0 || own->bytes() < options.memory / 8;
+  if (TransfersHits(options.schedule) && plenty) ranks = std::make_unique<RankIndex>(own.get());
   NoteBytes();
   Ready ready;
   ready.bytes_held = own->bytes() + images.bytes();
@@ -173,11 +175,11 @@ void TraceProcess::Impl::On(ProcessId, Distributed&, Outbox* outbox) {
 }
 
 void TraceProcess::Impl::On(ProcessId, PrimaryRays& message, Outbox*) {
-  for (const Sample& s : message.samples) CheckSample(s, *camera, scene->settings().samples);
+  for (uint64_t t : message.tokens) CheckSample(SampleOf(t), *camera, scene->settings().samples);
   requests = std::max(0, requests - 1);
-  statistics.demand_rays += message.samples.size();
-  counts.primary_rays += message.samples.size();
-  samples.insert(samples.end(), message.samples.begin(), message.samples.end());
+  statistics.demand_rays += message.tokens.size();
+  counts.primary_rays += message.tokens.size();
+  samples.insert(samples.end(), message.tokens.begin(), message.tokens.end());
 }
 
 // The next part of the PyraClip tasks at hand, as rays.
@@ -185,8 +187,8 @@ void TraceProcess::Impl::TakeSamples(RayQueue* rays) {
   const size_t count = std::min(kRaysPerStep, samples.size());
   Travel travel;
   for (size_t i = 0; i < count; ++i) {
-    travel.back = {kHost, TokenOf(samples[i])};
-    rays->Push(camera->PrimaryRay(samples[i]), {}, travel);
+    travel.back = {kHost, samples[i]};
+    rays->Push(camera->PrimaryRay(SampleOf(samples[i])), {}, travel);
   }
   samples.erase(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(count));
 }
@@ -231,19 +233,17 @@ void TraceProcess::Impl::On(ProcessId, IntersectionTask& message, Outbox*) {
   RayQueue rays;
   Unpack(message, &rays);
   for (size_t i = 0; i < rays.size(); ++i) {
-    const Ray& ray = rays.bundle.rays[i];
-    const CellId cell = tree.At(ray.origin + rays.travel[i].best_distance * ray.direction);
-    if (cell == kNoCell || tree.cell(cell).owner != self) throw WireError("a hit of another's");
+    if (tracer->OwnerAt(rays.bundle.rays[i], rays.travel[i].best_distance) != self) {
+      throw WireError("a hit of another's");
+    }
   }
-  for (size_t i = 0; i < rays.size(); ++i) {
-    transferred.Push(rays.bundle.rays[i], rays.media(i), rays.travel[i]);
-  }
+  transferred.Append(rays);
 }
 
 void TraceProcess::Impl::On(ProcessId, RayResults& message, Outbox* outbox) {
   for (const ResultItem& item : message.results) pending.at(item.token >> 1);
   for (const ResultItem& item : message.results) {
-    TakeResult(item.token, {item.color, item.distance, item.hit}, outbox);
+    TakeResult(item.token, {item.color, item.distance, item.distance < kFar}, outbox);
   }
 }
 
@@ -337,22 +337,21 @@ bool TraceProcess::Impl::Work(Outbox* outbox) {
     TakeCell(std::move(reply), outbox);
   } else {
     step.clear();
-    if (queue.PopFull(&step)) {
-      TraceStep(step, outbox);
+    if (queue.PopEnough(&step)) {
+      TraceRays(step, outbox);
     } else if (!transferred.empty()) {
       transferred.Pop(kRaysPerStep, &step);
-      LocateHits(step);
+      ShadeLocated(step, outbox);
     } else if (!samples.empty()) {
       TakeSamples(&step);
-      TraceStep(step, outbox);
+      TraceRays(step, outbox);
     } else if (queue.PopAny(&step)) {
-      TraceStep(step, outbox);
+      TraceRays(step, outbox);
     } else {
       packer->Flush(outbox);
       return false;
     }
   }
-  ShadeHits(outbox);
   RequestCells(outbox);
   NoteBytes();
   return true;
@@ -361,7 +360,7 @@ bool TraceProcess::Impl::Work(Outbox* outbox) {
 void TraceProcess::Impl::NoteBytes() {
   bytes_held = own->bytes() + images.bytes() + cache->bytes() + tracer->bytes() + queue.bytes() +
                transferred.bytes() + pending.bytes() + packer->bytes() +
-               waiting_rays * (sizeof(Ray) + sizeof(Travel)) +
+               (ranks ? ranks->bytes() : 0) + waiting_rays * (sizeof(Ray) + sizeof(Travel)) +
                (waiting_shades.size() - free_waiting_shades.size()) * sizeof(WaitingShade);
   statistics.bytes_held_max = std::max(statistics.bytes_held_max, bytes_held);
 }

@@ -164,6 +164,8 @@ PlacementId ObjectSet::placement_of(uint32_t object) const {
   return impl_->objects.key(object).placement;
 }
 
+Rank ObjectSet::rank_of(uint32_t object) const { return impl_->objects.key(object).rank; }
+
 void ObjectSet::ForEachIn(const Bounds& box,
                           const std::function<void(uint32_t object)>& visit) const {
   if (impl_->nodes.empty()) return;

@@ -87,6 +87,7 @@ class ObjectSet {
   // The hit described in the space of its primitive; hit.set == this.
   void Describe(const Ray& ray, const Hit& hit, HitPath* path) const;
   PlacementId placement_of(uint32_t object) const;
+  Rank rank_of(uint32_t object) const;
 
   // Calls visit(object) for each object whose world bounds overlap the closed box; unbounded
   // objects are not visited.

@@ -75,11 +75,14 @@ std::vector<Traveller> RecordedRun::Travellers(const SentMessage& message) const
   return list;
 }
 
-std::vector<PixelItem> RecordedRun::Pixels(const SentMessage& message) {
-  if (message.tag != Tag::kPixelResults) return {};
-  PixelResults results = Decode<PixelResults>(message.bytes);
-  for (uint64_t token : results.voids) results.results.push_back({token, {}, false});
-  return results.results;
+std::vector<Pixel> RecordedRun::Pixels(const SentMessage& message) {
+  std::vector<Pixel> pixels;
+  if (message.tag != Tag::kPixelResults) return pixels;
+  const PixelResults results = Decode<PixelResults>(message.bytes);
+  for (uint64_t token : results.voids) pixels.push_back({token, {}, false});
+  for (const PixelItem& miss : results.misses) pixels.push_back({miss.token, miss.color, false});
+  for (const PixelItem& hit : results.hits) pixels.push_back({hit.token, hit.color, true});
+  return pixels;
 }
 
 ProcessId RecordedRun::OwnerAt(const Ray& ray, double distance) const {
