@@ -81,6 +81,7 @@ class PathWalk {
     hit.ray_direction = path_.ray.direction;
     hit.path = &path_;
     hit.moment = moment_;
+    if (scene_.objects_are_stale) hit.moment.time = scene_.shutter.open;
     hit.key = ray_.key;
     hit.sample_number = ray_.sample_number;
     hit.samples = scene_.settings().samples;
