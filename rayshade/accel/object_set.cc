@@ -166,7 +166,7 @@ PlacementId ObjectSet::placement_of(uint32_t object) const {
 }
 
 size_t ObjectSet::kind_of(uint32_t object) const {
-  return impl_->objects.is_sphere(object) ? 0 : impl_->objects.item(object).geom;
+  return impl_->objects.is_sphere(object) ? kSphereGeom : impl_->objects.item(object).geom;
 }
 
 void ObjectSet::ForEachIn(const Bounds& box,

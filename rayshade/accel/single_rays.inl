@@ -11,12 +11,13 @@ constexpr double kSmallestDirection = 1e-30;
 
 struct Counters {
   uint64_t nodes = 0;
-  KindCounts kinds[kGeomKinds];
+  uint64_t flat_tests[kOtherLeaf] = {};  // by the kind of the leaf
+  KindCounts kinds[kGeomKinds];          // all else
 };
 
 // GeomSpec::index() of an object.
 RAYSHADE_KERNEL uint32_t GeomOf(const TraceView& view, uint32_t object) {
-  return object < view.sphere_count ? 0 : view.flat->items[object - view.sphere_count].geom;
+  return object < view.sphere_count ? kSphereGeom : view.flat->items[object - view.sphere_count].geom;
 }
 
 // So many rays are tested against each object of a leaf.
@@ -24,7 +25,7 @@ RAYSHADE_KERNEL void CountTests(const TraceView& view, uint64_t branch, uint32_t
                                 Counters* counters) {
   const uint32_t first = ChildOf(branch), count = CountOf(branch);
   if (KindOf(branch) != kOtherLeaf) {
-    counters->kinds[GeomOf(view, first)].tests += uint64_t{rays} * count;
+    counters->flat_tests[KindOf(branch)] += rays * count;
     return;
   }
   for (uint32_t i = first; i < first + count; ++i) counters->kinds[GeomOf(view, i)].tests += rays;

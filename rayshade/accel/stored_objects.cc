@@ -41,6 +41,11 @@ bool Ordered(const GrowingArray<ObjectKey>& keys) {
 }
 
 static_assert(std::variant_size_v<GeomSpec> == kGeomKinds);
+template <int kKind>
+using SpecOfKind = std::variant_alternative_t<kKind, GeomSpec>;
+static_assert(std::is_same_v<SpecOfKind<kSphereGeom>, SphereSpec>);
+static_assert(std::is_same_v<SpecOfKind<kTriangleGeom>, TriangleSpec>);
+static_assert(std::is_same_v<SpecOfKind<kPolygonGeom>, PolygonSpec>);
 
 uint8_t KindOf(const GeomSpec& spec) { return static_cast<uint8_t>(spec.index()); }
 

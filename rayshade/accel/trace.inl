@@ -8,8 +8,11 @@
 #include "rayshade/accel/bundles.inl"
 // clang-format on
 
-RAYSHADE_KERNEL void AddTo(OpCounts* counts, const Counters& counters) {
+RAYSHADE_KERNEL void AddTo(OpCounts* counts, Counters counters) {
   counts->node_visits += counters.nodes;
+  counters.kinds[kSphereGeom].tests += counters.flat_tests[kSphereLeaf];
+  counters.kinds[kTriangleGeom].tests += counters.flat_tests[kTriangleLeaf];
+  counters.kinds[kPolygonGeom].tests += counters.flat_tests[kPolygonLeaf];
   for (int i = 0; i < kGeomKinds; ++i) {
     counts->primitive_tests += counters.kinds[i].tests;
     counts->kinds[i].tests += counters.kinds[i].tests;

@@ -60,6 +60,7 @@ struct Skeleton::Impl {
   std::vector<PlacedSpec> ReadMembers(NodeId id);
   PlacedSpec ReadDefinition(NodeId id);
   void NoteSurfaces(const PlacedSpec& placed);
+  void NoteKind(size_t kind);
 
   ObjectStore* store;
   SceneSpec spec;
@@ -70,6 +71,7 @@ struct Skeleton::Impl {
   std::unordered_map<NodeId, PlacedSpec> definitions_read;  // those that stand inside CSG
   uint64_t sequence = 0;
   std::vector<size_t> kinds_read;
+  size_t last_kind = std::variant_npos;
 };
 
 LocalPlacement Skeleton::Impl::Intern(Attributes&& attributes, bool bounded, bool endless) {
@@ -164,6 +166,15 @@ void Skeleton::Impl::NoteSurfaces(const PlacedSpec& placed) {
   }
 }
 
+void Skeleton::Impl::NoteKind(size_t kind) {
+  if (kind == last_kind) return;
+  last_kind = kind;
+  kind = ReportedKind(kind);
+  if (std::find(kinds_read.begin(), kinds_read.end(), kind) == kinds_read.end()) {
+    kinds_read.push_back(kind);
+  }
+}
+
 Skeleton::Skeleton(ObjectStore* store) : impl_(std::make_unique<Impl>(store)) {}
 Skeleton::~Skeleton() = default;
 
@@ -182,9 +193,7 @@ void Skeleton::AddLight(const LightSpec& light) { impl_->spec.lights.push_back(l
 void Skeleton::SetAtmosphere(const Atmosphere& atmosphere) { impl_->spec.atmosphere = atmosphere; }
 
 void Skeleton::AddPrimitive(GeomSpec&& spec, Attributes&& attributes) {
-  std::vector<size_t>& kinds = impl_->kinds_read;
-  const size_t kind = ReportedKind(spec.index());
-  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
+  impl_->NoteKind(spec.index());
   if (impl_->top().csg) {
     impl_->top().members.push_back({std::move(spec), std::move(attributes)});
     return;
@@ -199,7 +208,7 @@ void Skeleton::AddPrimitive(GeomSpec&& spec, Attributes&& attributes) {
     node.bounded = true;
     if (!animated) node.box.Include(OuterBounds(attributes, own, {}));
   }
-  const bool endless = bounded && !IsBounded(spec);
+  const bool endless = bounded && std::holds_alternative<CompositeSpec>(spec) && !IsBounded(spec);
   const LocalPlacement local = impl_->Intern(std::move(attributes), bounded, endless);
   if (bounded && animated) {
     node.moving = true;
