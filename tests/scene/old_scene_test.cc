@@ -26,7 +26,7 @@ const char kOld[] =
     "screen SIZE SIZE\n"
     "eyep\t0\t-10\t4\nlookp 0 0 1/* centre */\nup 0 0 1 fov 30/**/background .1 .2 .3\n"
     "light 1.4 point 10 -10 10\nlight .3 directional -1 -1 2noshadow\n"
-    "#if 0\nthis is 'not a scene\n#endif\n"
+    "#if 0\nthis is no scene\n#endif\n"
     "define tilt (15*dtor)\n"
     "plane BLACK 0 0 0 0 0 1 texture BOARD scale 1 1 1\n"
     "ROOK(ivory,-2,0) /* left */ ROOK(ebony, 2, 0)\n"

@@ -118,6 +118,16 @@ TEST(SceneBuilder, NamedObjectsBringTheirContentIntoCsg) {
   EXPECT_EQ(Seen(scene, .99, .99), 'r');
 }
 
+TEST(SceneBuilder, ObjectsMayBeEnlargedByAnyFactor) {
+  // Part 2, s.3.6 and 15: the original lost them beyond 1e5, and left their normals short.
+  test::TextScene scene(
+      "light 1 directional 0 -1 0\nsphere diffuse 1 1 1 1e-4 0 0 0 scale 1e3 1e3 1e3 scale 1e4 1e4 "
+      "1e4\n");
+  EXPECT_NEAR(scene.Trace({0, -1e4, 0}, {0, 1, 0}).color.r, 1, 1e-9);
+  EXPECT_NEAR(scene.Trace({600, -1e4, 0}, {0, 1, 0}).color.r, .8, 1e-9);
+  EXPECT_FALSE(scene.Trace({1001, -1e4, 0}, {0, 1, 0}).hit);
+}
+
 TEST(SceneBuilder, EachFrameHasItsObjectsWhereTheyAreThen) {
   const std::string scene =
       "frames 3\nsphere r 1 0 0 0 translate (10 * time) 0 0\n"
