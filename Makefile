@@ -44,7 +44,7 @@ PROGRAMS := $(BUILD)/rayshade $(patsubst scenes/%.cc,$(BUILD)/%,$(wildcard scene
   $(if $(wildcard parallel/pvm/trace_main.cc),$(BUILD)/prayshade-trace) \
   $(if $(wildcard parallel/sim/sim_main.cc),$(BUILD)/prayshade-sim)
 
-.PHONY: all deps demo test reference doc gallery stability lint help clean bench
+.PHONY: all deps demo test reference reference-parallel doc gallery stability lint help clean bench
 all: $(PROGRAMS)
 
 help:
@@ -52,6 +52,7 @@ help:
 	@echo "make demo       build, render the balls by every schedule on a private virtual machine, print a table"
 	@echo "make test       build and run every test"
 	@echo "make reference  compare with the pictures of the original program"
+	@echo "make reference-parallel  all its scenes by every schedule, to the bit (minutes)"
 	@echo "make doc        print doc/messages.md from the catalogue of messages"
 	@echo "make bench      ratios of tracing times (BENCH_RUNS=5 BENCH_PIXELS=1024)"
 	@echo "make gallery    render the small pictures of doc/scene_language.md"
@@ -122,6 +123,10 @@ reference: $(BUILD)/compare_reference $(BUILD)/rayshade
 	@mkdir -p $(BUILD)/reference
 	@$(BUILD)/compare_reference $(abspath $(BUILD)/rayshade) $(abspath $(REFERENCE)) \
 	  $(abspath $(BUILD)/reference) --seeds $(SEEDS) $(SCENES)
+
+# Every scene of the reference set and of the gallery, at its own size, by all three schedules with 1, 4 and 7 processes.
+reference-parallel: $(BUILD)/unit_tests
+	RAYSHADE_FULL_SIZE=1 $(BUILD)/unit_tests --gtest_brief=1 --gtest_filter='*EveryScene*'
 
 $(BUILD)/print_messages: $(OBJ)/tests/parallel/print_messages_main.o $(PARALLEL_LIB) $(CORE_LIB)
 	$(LINK)

@@ -191,6 +191,7 @@ template <class A> void Fields(A& a, OpCounts& c) {
 #define RAYSHADE_FIELD(name) a(#name, c.name);
   RAYSHADE_OP_COUNTS(RAYSHADE_FIELD)
 #undef RAYSHADE_FIELD
+  for (KindCounts& kind : c.kinds) { a("tests", kind.tests); a("hits", kind.hits); }
 }
 // clang-format on
 

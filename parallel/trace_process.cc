@@ -145,7 +145,7 @@ void TraceProcess::Impl::Install(const ObjectParcel& parcel, ObjectSet* set) {
       member = {object.geom, MakeGeom(object.geom, scene->shutter)};
       member_numbers.emplace(member.geom.get(), object.member);
     }
-    set->Add(member.geom, placement, object.rank);
+    set->Add(member.geom, object.geom.index(), placement, object.rank);
   }
 }
 

@@ -73,7 +73,10 @@ int HostRun::Run() {
   stats().distribute_seconds += EndPhase();
 
   report_data_.Finish(run_);
-  if (reports()) ReportStatistics(stats().operations, CpuTimeUsed(), PeakBytes(), report());
+  if (reports()) {
+    ReportStatistics(stats().operations, spool_->kinds_read(), CpuTimeUsed(), PeakBytes(),
+                     report());
+  }
   if (!options_.stats_file.empty()) WriteStats(stats(), options_.stats_file);
   return 0;
 }
@@ -92,7 +95,9 @@ bool HostRun::CheckBeforehand() {
 
 bool HostRun::OpenReport() {
   if (settings_.report_file.empty()) return true;
-  report_.reset(std::fopen(settings_.report_file.c_str(), "w"));
+  // The file of -V was begun while the scene was read.
+  report_.reset(
+      std::fopen(settings_.report_file.c_str(), options_.report_file.empty() ? "w" : "a"));
   if (report_) return true;
   diagnostics_->Report(Severity::kFatal, {},
                        "Cannot open stats file " + settings_.report_file + ".");

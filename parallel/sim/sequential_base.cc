@@ -32,7 +32,7 @@ void AddObjects(ObjectSpool* spool, Scene* scene, ObjectSet* set) {
     }
     std::shared_ptr<const Geom>& member = members[object.member];
     if (member == nullptr) member = MakeGeom(object.geom, scene->shutter);
-    set->Add(member, placement->second, object.rank);
+    set->Add(member, object.geom.index(), placement->second, object.rank);
   }
 }
 

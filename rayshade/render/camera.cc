@@ -9,6 +9,7 @@
 
 #include "rayshade/common/keyed_random.h"
 #include "rayshade/render/sample_numbers.h"
+#include "rayshade/scene/scene.h"
 
 namespace rayshade {
 namespace {
@@ -75,15 +76,7 @@ Camera::Camera(const Settings& settings, int frame)
   step_y_ = (-step_y) * up_;
   corner_ = axes.to_look - (.5 * height * step_y_ + .5 * width * step_x_);
   frame_start_ = settings.start_time + frame * settings.frame_length;
-  // A defect that pictures depend on [rayshade4/1 s.5.12]: without jitter and with one sample, all
-  // rays have the frame's time; where that is the time for which objects were moved last (0 before
-  // the first frame), they stay as they were left when their bounds were made, at the end of the
-  // shutter interval.
-  const double moved_for = frame == settings.first_frame ? 0 : frame_start_ - settings.frame_length;
-  if (settings.samples == 1 && !settings.jitter && settings.shutter > 0 &&
-      std::fabs(frame_start_ - moved_for) < kEpsilon) {
-    frozen_time_ = frame_start_ + settings.shutter;
-  }
+  if (ObjectsAreStale(settings, frame)) frozen_time_ = frame_start_ + settings.shutter;
 }
 
 uint16_t Camera::SingleSubCell(int x, int y) const {

@@ -189,7 +189,7 @@ filter_kind:
     T_BOX                                         { c->settings.filter = FilterKind::kBox; }
   | T_GAUSS                                       { c->settings.filter = FilterKind::kGauss; }
   ;
-report_verbose:   %empty | T_VERBOSE              { c->settings.verbose = true; } ;
+report_verbose:   %empty | T_VERBOSE              { c->SetVerbose(); } ;
 report_quiet:     %empty | T_QUIET                { c->SetQuiet(); } ;
 report_frequency: %empty | int                    { c->SetReportFrequency($1); } ;
 report_file:      %empty | filename               { c->NameReport($1); } ;

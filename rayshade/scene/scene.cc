@@ -2,6 +2,7 @@
 #include "rayshade/scene/scene.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rayshade {
 namespace {
@@ -28,6 +29,13 @@ ShutterInterval FrameShutter(const Settings& settings, int frame) {
   return {static_cast<double>(frame), open, open + std::max(settings.shutter, 0.0)};
 }
 
+bool ObjectsAreStale(const Settings& settings, int frame) {
+  if (settings.samples != 1 || settings.jitter || !(settings.shutter > 0)) return false;
+  const double start = settings.start_time + frame * settings.frame_length;
+  const double moved_for = frame == settings.first_frame ? 0 : start - settings.frame_length;
+  return std::abs(start - moved_for) < kEpsilon;
+}
+
 Scene::Scene(SceneSpec written, int frame) : spec(std::move(written)) {
   for (const TextureSpec& texture : spec.textures) {
     const auto* image = std::get_if<ImageSpec>(&texture.kind);
@@ -44,6 +52,7 @@ Scene::Scene(SceneSpec written, int frame) : spec(std::move(written)) {
   default_surface = DefaultSurface();
   any_transparent = AnyTransparent(spec);
   shutter = FrameShutter(spec.settings, frame);
+  objects_are_stale = ObjectsAreStale(spec.settings, frame);
 }
 
 void Scene::GiveImage(TextureId texture, std::shared_ptr<const ImageData> image) {

@@ -54,7 +54,7 @@ class Expander {
   void Walk(NodeId id, uint64_t order) {
     const TreeNode& node = tree_.nodes[id];
     const auto first_placement = static_cast<PlacementId>(expansion_.placements.size());
-    for (const LocalAttributes& local : node.locals) Place(local);
+    for (const LocalAttributes& local : node.locals) Place(local, id);
     const bool as_written = node.kind == AggregateKind::kGrid;
     for (const NodeItem& item : node.items) {
       if (!item.bounded) order = Visit(id, item, false, first_placement, order);
@@ -81,13 +81,16 @@ class Expander {
   // Levels that say nothing and clip nothing are left out. A bounded member of a list or grid is
   // tested only for rays that meet the box of all bounded members, and so is what is unbounded
   // inside of it [rayshade4/2 s.8.5].
-  void Place(const LocalAttributes& local) {
+  void Place(const LocalAttributes& local, NodeId id) {
     Placement placement;
-    if (SaysSomething(local.attributes)) placement.levels.push_back({local.attributes, {}});
+    PathLevel own{local.attributes, {}};
+    if (local.endless && !tree_.nodes[id].is_definition) own.clip = Box(id);
+    if (own.clip || SaysSomething(own.attributes)) placement.levels.push_back(std::move(own));
     for (size_t i = path_.size(); i-- > 0;) {
       const Step& step = path_[i];
       PathLevel level{*step.attributes, {}};
-      if (!local.bounded && step.bounded && !tree_.nodes[step.parent].is_definition) {
+      const bool may_stick_out = !local.bounded || local.endless;
+      if (may_stick_out && step.bounded && !tree_.nodes[step.parent].is_definition) {
         level.clip = Box(step.parent);
       }
       if (level.clip || SaysSomething(level.attributes)) {

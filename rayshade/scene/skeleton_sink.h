@@ -34,6 +34,8 @@ class SkeletonSink : public SceneSink {
   DefinitionId EndDefinition() override { return skeleton().EndDefinition(); }
   void OnSettings(const Settings& settings) override { skeleton().OnSettings(settings); }
 
+  const std::vector<size_t>& kinds_read() { return skeleton().kinds_read(); }
+
  private:
   virtual Skeleton& skeleton() = 0;
 };

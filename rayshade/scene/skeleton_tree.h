@@ -18,7 +18,8 @@ using NodeId = uint32_t;
 // What is written around objects of one node.
 struct LocalAttributes {
   Attributes attributes;
-  bool bounded = true;  // of the objects: unbounded ones are clipped by enclosing aggregates
+  bool bounded = true;   // of the objects: unbounded ones are clipped by enclosing aggregates
+  bool endless = false;  // bounded by Rayshade's reckoning, though hits may lie anywhere
 };
 
 // Members of a node, in written order: neighbouring objects, or one nested node.

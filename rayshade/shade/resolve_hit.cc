@@ -1,6 +1,7 @@
 // From a hit in the space of its primitive to a surface in the world [rayshade4/2 s.2.5, 4;
 // rayshade4/3 s.4, 9].
 #include "rayshade/common/check.h"
+#include "rayshade/geom/unit.h"
 #include "rayshade/shade/shade.h"
 
 namespace rayshade {
@@ -65,8 +66,8 @@ class PathWalk {
       whole = first ? level : Compose(whole, level);
       first = false;
     });
-    resolved->normal = Normalized(whole.Normal(resolved->normal));
-    resolved->geometric_normal = Normalized(whole.Normal(resolved->geometric_normal));
+    resolved->normal = UnitOf(whole.Normal(resolved->normal));
+    resolved->geometric_normal = UnitOf(whole.Normal(resolved->geometric_normal));
     resolved->point = ray_.origin + distance * ray_.direction;
   }
 
@@ -81,6 +82,7 @@ class PathWalk {
     hit.ray_direction = path_.ray.direction;
     hit.path = &path_;
     hit.moment = moment_;
+    if (scene_.objects_are_stale) hit.moment.time = scene_.shutter.open;
     hit.key = ray_.key;
     hit.sample_number = ray_.sample_number;
     hit.samples = scene_.settings().samples;
@@ -88,9 +90,9 @@ class PathWalk {
       if (!attributes.transforms.empty()) {
         const Transform level = attributes.transforms.Whole(moment_);
         hit.point = level.Point(hit.point);
-        hit.normal = Normalized(level.Normal(hit.normal));
+        hit.normal = UnitOf(level.Normal(hit.normal));
         hit.ray_origin = level.Point(hit.ray_origin);
-        hit.ray_direction = Normalized(level.Direction(hit.ray_direction));
+        hit.ray_direction = UnitOf(level.Direction(hit.ray_direction));
         hit.primitive_to_model = Compose(hit.primitive_to_model, level);
       }
       for (TextureId texture : attributes.textures) {
