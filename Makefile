@@ -6,7 +6,8 @@ BUILD ?= build$(if $(SAN),/san-$(subst $(comma),-,$(SAN)))
 
 # What the goals need from the system is looked for first (milliseconds), and installed where it is missing.
 GOALS := $(filter-out clean help lint $(BUILD)/%,$(or $(MAKECMDGOALS),all))
-NEEDS := $(if $(GOALS),build) $(if $(filter test deps,$(GOALS)),test) $(if $(filter deps,$(GOALS)),charts)
+NEEDS := $(if $(GOALS),build) $(if $(filter test deps,$(GOALS)),test) \
+  $(if $(filter deps stability,$(GOALS)),charts) $(if $(filter deps fuzz,$(GOALS)),fuzz)
 ifneq ($(strip $(if $(findstring n,$(firstword -$(MAKEFLAGS))),,$(NEEDS))),)
 ifneq ($(shell sh tests/support/dependencies.sh $(NEEDS) >&2 && echo ready),ready)
 $(error something that the build needs is missing: see above)
@@ -44,7 +45,7 @@ PROGRAMS := $(BUILD)/rayshade $(patsubst scenes/%.cc,$(BUILD)/%,$(wildcard scene
   $(if $(wildcard parallel/pvm/trace_main.cc),$(BUILD)/prayshade-trace) \
   $(if $(wildcard parallel/sim/sim_main.cc),$(BUILD)/prayshade-sim)
 
-.PHONY: all deps demo test reference doc gallery stability lint help clean bench
+.PHONY: all deps demo test reference doc gallery stability fuzz lint help clean bench
 all: $(PROGRAMS)
 
 help:
@@ -55,6 +56,7 @@ help:
 	@echo "make doc        print doc/messages.md from the catalogue of messages"
 	@echo "make bench      ratios of tracing times (BENCH_RUNS=5 BENCH_PIXELS=1024)"
 	@echo "make gallery    render the small pictures of doc/scene_language.md"
+	@echo "make fuzz       a million mutated scenes to the parser (FUZZ_RUNS=1000000)"
 	@echo "make lint       who includes whom, and the format"
 	@echo "make deps       install what is missing for all of this (apt-get; root or sudo)"
 	@echo "make clean      remove build/"
@@ -141,6 +143,18 @@ gallery: $(GALLERY)
 doc/gallery/%.png: scenes/gallery/%.ray $(BUILD)/rayshade
 	@mkdir -p $(@D)
 	$(BUILD)/rayshade -q -O $@ $<
+
+# The parser under libFuzzer and sanitizers: all that it links with, compiled by clang.
+FUZZ_RUNS ?= 1000000
+FUZZ_FLAGS := CXX=clang++ SAN=fuzzer-no-link,address,undefined BUILD=$(BUILD)/fuzz
+FUZZ_CORE := $(foreach folder,common geom surface texture light image scene,$(wildcard rayshade/$(folder)/*.cc))
+$(BUILD)/libparser.a: $(call object,$(FUZZ_CORE)) $(GENERATED)
+	rm -f $@ && ar rcs $@ $^
+$(BUILD)/parse_fuzz: $(OBJ)/tests/fuzz/parse_fuzz.o $(BUILD)/libparser.a
+	$(LINK) -fsanitize=fuzzer
+fuzz:
+	@$(MAKE) --no-print-directory $(ALL_CORES) $(FUZZ_FLAGS) $(BUILD)/fuzz/parse_fuzz
+	@tests/fuzz/fuzz.sh $(BUILD)/fuzz/parse_fuzz $(BUILD)/fuzz $(FUZZ_RUNS) $(wildcard $(REFERENCE))
 
 lint:
 	@tests/support/lint.sh
