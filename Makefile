@@ -33,7 +33,8 @@ endif
 CORE := $(filter-out rayshade/main.cc,$(wildcard rayshade/*/*.cc))
 PARALLEL := $(wildcard parallel/*.cc) $(filter-out %_main.cc,$(wildcard parallel/sim/*.cc))
 PVM := $(filter-out %_main.cc,$(wildcard parallel/pvm/*.cc))
-TESTS := $(wildcard tests/*/*_test.cc tests/*/*/*_test.cc tests/support/*.cc)
+STABILITY := $(filter-out %_main.cc,$(wildcard tests/stability/*.cc))
+TESTS := $(sort $(wildcard tests/*/*_test.cc tests/*/*/*_test.cc tests/support/*.cc) $(STABILITY))
 TEST_FILTER ?= *
 
 object = $(patsubst %.cc,$(OBJ)/%.o,$(1))
@@ -56,6 +57,7 @@ help:
 	@echo "make doc        print doc/messages.md from the catalogue of messages"
 	@echo "make bench      ratios of tracing times (BENCH_RUNS=5 BENCH_PIXELS=1024)"
 	@echo "make gallery    render the small pictures of doc/scene_language.md"
+	@echo "make stability  errors of intersections, self-intersections, with charts in doc/charts"
 	@echo "make fuzz       a million mutated scenes to the parser (FUZZ_RUNS=1000000)"
 	@echo "make lint       who includes whom, and the format"
 	@echo "make deps       install what is missing for all of this (apt-get; root or sudo)"
@@ -143,6 +145,15 @@ gallery: $(GALLERY)
 doc/gallery/%.png: scenes/gallery/%.ray $(BUILD)/rayshade
 	@mkdir -p $(@D)
 	$(BUILD)/rayshade -q -O $@ $<
+
+# Errors of intersections over distance and size, with the charts of doc/stability.md; RAYS for each point.
+RAYS ?= 1000
+$(BUILD)/stability: $(OBJ)/tests/stability/stability_main.o $(call object,$(STABILITY)) $(CORE_LIB)
+	$(LINK)
+stability: $(BUILD)/stability
+	@mkdir -p doc/charts/data
+	@$(BUILD)/stability doc/charts/data $(RAYS)
+	@gnuplot -e "data='doc/charts/data'; charts='doc/charts'" tests/stability/stability.gp
 
 # The parser under libFuzzer and sanitizers: all that it links with, compiled by clang.
 FUZZ_RUNS ?= 1000000
