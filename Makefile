@@ -148,12 +148,14 @@ doc/gallery/%.png: scenes/gallery/%.ray $(BUILD)/rayshade
 
 # Errors of intersections over distance and size, with the charts of doc/stability.md; RAYS for each point.
 RAYS ?= 1000
-$(BUILD)/stability: $(OBJ)/tests/stability/stability_main.o $(call object,$(STABILITY)) $(CORE_LIB)
+$(BUILD)/stability $(BUILD)/spawned: $(BUILD)/%: $(OBJ)/tests/stability/%_main.o \
+  $(call object,$(STABILITY)) $(CORE_LIB)
 	$(LINK)
-stability: $(BUILD)/stability
+stability: $(BUILD)/stability $(BUILD)/spawned
 	@mkdir -p doc/charts/data
 	@$(BUILD)/stability doc/charts/data $(RAYS)
 	@gnuplot -e "data='doc/charts/data'; charts='doc/charts'" tests/stability/stability.gp
+	@$(BUILD)/spawned doc/charts/data
 
 # The parser under libFuzzer and sanitizers: all that it links with, compiled by clang.
 FUZZ_RUNS ?= 1000000
