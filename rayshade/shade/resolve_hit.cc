@@ -1,6 +1,7 @@
 // From a hit in the space of its primitive to a surface in the world [rayshade4/2 s.2.5, 4;
 // rayshade4/3 s.4, 9].
 #include "rayshade/common/check.h"
+#include "rayshade/geom/unit.h"
 #include "rayshade/shade/shade.h"
 #include "rayshade/shade/slack.h"
 
@@ -69,7 +70,7 @@ class PathWalk {
     resolved->normal = Normalized(whole.Normal(resolved->normal));
     resolved->geometric_normal = Normalized(whole.Normal(resolved->geometric_normal));
     resolved->point = ray_.origin + distance * ray_.direction;
-    resolved->face = resolved->geometric_normal;
+    resolved->face = UnitOf(resolved->geometric_normal);
     resolved->slack = SlackOf(ray_, path_, distance, whole);
   }
 
@@ -107,7 +108,7 @@ class PathWalk {
     resolved->normal = hit.normal;
     Normalize(&resolved->geometric_normal);
     if (!transformed_) return;
-    resolved->face = Normalized(hit.primitive_to_model.Normal(resolved->face));
+    resolved->face = UnitOf(hit.primitive_to_model.Normal(resolved->face));
     resolved->slack = SlackOf(ray_, path_, distance, hit.primitive_to_model);
   }
 

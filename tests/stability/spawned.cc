@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rayshade/geom/to_object.h"
+#include "rayshade/geom/unit.h"
 #include "rayshade/scene/scene_builder.h"
 #include "rayshade/shade/shade.h"
 #include "tests/stability/next_crossing.h"
@@ -42,7 +42,7 @@ class Stage {
         object_.center + Uniform(random, 0, 1) * object_.reach * RandomDirection(random);
     Ray ray;
     ray.origin = whole_.Point(target + away * RandomDirection(random));
-    ray.direction = Normalized(whole_.Point(target) - ray.origin);
+    ray.direction = UnitOf(whole_.Point(target) - ray.origin);
     return ray;
   }
 
