@@ -6,7 +6,8 @@ BUILD ?= build$(if $(SAN),/san-$(subst $(comma),-,$(SAN)))
 
 # What the goals need from the system is looked for first (milliseconds), and installed where it is missing.
 GOALS := $(filter-out clean help lint $(BUILD)/%,$(or $(MAKECMDGOALS),all))
-NEEDS := $(if $(GOALS),build) $(if $(filter test deps,$(GOALS)),test) $(if $(filter deps,$(GOALS)),charts)
+NEEDS := $(if $(GOALS),build) $(if $(filter test deps,$(GOALS)),test) \
+  $(if $(filter deps stability,$(GOALS)),charts) $(if $(filter deps fuzz,$(GOALS)),fuzz)
 ifneq ($(strip $(if $(findstring n,$(firstword -$(MAKEFLAGS))),,$(NEEDS))),)
 ifneq ($(shell sh tests/support/dependencies.sh $(NEEDS) >&2 && echo ready),ready)
 $(error something that the build needs is missing: see above)
@@ -32,7 +33,8 @@ endif
 CORE := $(filter-out rayshade/main.cc,$(wildcard rayshade/*/*.cc))
 PARALLEL := $(wildcard parallel/*.cc) $(filter-out %_main.cc,$(wildcard parallel/sim/*.cc))
 PVM := $(filter-out %_main.cc,$(wildcard parallel/pvm/*.cc))
-TESTS := $(wildcard tests/*/*_test.cc tests/*/*/*_test.cc tests/support/*.cc)
+STABILITY := $(filter-out %_main.cc,$(wildcard tests/stability/*.cc))
+TESTS := $(sort $(wildcard tests/*/*_test.cc tests/*/*/*_test.cc tests/support/*.cc) $(STABILITY))
 TEST_FILTER ?= *
 
 object = $(patsubst %.cc,$(OBJ)/%.o,$(1))
@@ -44,7 +46,7 @@ PROGRAMS := $(BUILD)/rayshade $(patsubst scenes/%.cc,$(BUILD)/%,$(wildcard scene
   $(if $(wildcard parallel/pvm/trace_main.cc),$(BUILD)/prayshade-trace) \
   $(if $(wildcard parallel/sim/sim_main.cc),$(BUILD)/prayshade-sim)
 
-.PHONY: all deps demo test reference reference-parallel doc gallery stability lint help clean bench
+.PHONY: all deps demo test reference reference-parallel doc gallery stability lint help clean bench fuzz
 all: $(PROGRAMS)
 
 help:
@@ -56,6 +58,8 @@ help:
 	@echo "make doc        print doc/messages.md from the catalogue of messages"
 	@echo "make bench      ratios of tracing times (BENCH_RUNS=5 BENCH_PIXELS=1024)"
 	@echo "make gallery    render the small pictures of doc/scene_language.md"
+	@echo "make stability  errors of intersections, self-intersections, with charts in doc/charts"
+	@echo "make fuzz       a million mutated scenes to the parser (FUZZ_RUNS=1000000)"
 	@echo "make lint       who includes whom, and the format"
 	@echo "make deps       install what is missing for all of this (apt-get; root or sudo)"
 	@echo "make clean      remove build/"
@@ -146,6 +150,29 @@ gallery: $(GALLERY)
 doc/gallery/%.png: scenes/gallery/%.ray $(BUILD)/rayshade
 	@mkdir -p $(@D)
 	$(BUILD)/rayshade -q -O $@ $<
+
+# Errors of intersections over distance and size, with the charts of doc/stability.md; RAYS for each point.
+RAYS ?= 1000
+$(BUILD)/stability $(BUILD)/spawned: $(BUILD)/%: $(OBJ)/tests/stability/%_main.o \
+  $(call object,$(STABILITY)) $(CORE_LIB)
+	$(LINK)
+stability: $(BUILD)/stability $(BUILD)/spawned
+	@mkdir -p doc/charts/data
+	@$(BUILD)/stability doc/charts/data $(RAYS)
+	@gnuplot -e "data='doc/charts/data'; charts='doc/charts'" tests/stability/stability.gp
+	@$(BUILD)/spawned doc/charts/data
+
+# The parser under libFuzzer and sanitizers: all that it links with, compiled by clang.
+FUZZ_RUNS ?= 1000000
+FUZZ_FLAGS := CXX=clang++ SAN=fuzzer-no-link,address,undefined BUILD=$(BUILD)/fuzz
+FUZZ_CORE := $(foreach folder,common geom surface texture light image scene,$(wildcard rayshade/$(folder)/*.cc))
+$(BUILD)/libparser.a: $(call object,$(FUZZ_CORE)) $(GENERATED)
+	rm -f $@ && ar rcs $@ $^
+$(BUILD)/parse_fuzz: $(OBJ)/tests/fuzz/parse_fuzz.o $(BUILD)/libparser.a
+	$(LINK) -fsanitize=fuzzer
+fuzz:
+	@$(MAKE) --no-print-directory $(ALL_CORES) $(FUZZ_FLAGS) $(BUILD)/fuzz/parse_fuzz
+	@tests/fuzz/fuzz.sh $(BUILD)/fuzz/parse_fuzz $(BUILD)/fuzz $(FUZZ_RUNS) $(wildcard $(REFERENCE))
 
 lint:
 	@tests/support/lint.sh

@@ -54,7 +54,7 @@ class Cone final : public Geom {
   bool Intersect(const ObjectRay& ray, double min, double max, double* distance) const override;
 
   void Describe(const ObjectRay& ray, double, double distance, HitPath* path) const override {
-    BeginPath(this, ray, distance, path);
+    BeginPath(this, ray, distance, ReachOf(frame_), path);
     const Vector p = frame_.InversePoint(path->point);
     SetNormal(UnitOf(frame_.Normal({p.x * p.z, p.y * p.z, -(p.x * p.x + p.y * p.y)})), path);
   }

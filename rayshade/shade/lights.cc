@@ -39,7 +39,7 @@ bool SampleLight(const Scene& scene, uint32_t light_number, const Ray& ray, cons
 
   shadow->origin = hit.point;
   shadow->direction = arrival->shadow_direction;
-  shadow->min_distance = kShadowEpsilon;
+  shadow->min_distance = LeastDistance(hit, arrival->shadow_direction, kShadowEpsilon);
   shadow->time = ray.time;
   shadow->key = ray.key;
   shadow->sample_number = ray.sample_number;

@@ -3,6 +3,7 @@
 #include "rayshade/common/check.h"
 #include "rayshade/geom/unit.h"
 #include "rayshade/shade/shade.h"
+#include "rayshade/shade/slack.h"
 
 namespace rayshade {
 namespace {
@@ -50,7 +51,7 @@ class PathWalk {
 
   void Resolve(double distance, SurfaceHit* resolved) const {
     if (textured_) {
-      WithTextures(resolved);
+      WithTextures(distance, resolved);
     } else if (transformed_) {
       Plainly(distance, resolved);
     }
@@ -69,11 +70,13 @@ class PathWalk {
     resolved->normal = UnitOf(whole.Normal(resolved->normal));
     resolved->geometric_normal = UnitOf(whole.Normal(resolved->geometric_normal));
     resolved->point = ray_.origin + distance * ray_.direction;
+    resolved->face = UnitOf(resolved->geometric_normal);
+    resolved->slack = SlackOf(ray_, path_, distance, whole);
   }
 
   // Each level's transformations, then its textures. The geometric normal stays where it is
   // [rayshade4/3 s.4.5].
-  void WithTextures(SurfaceHit* resolved) const {
+  void WithTextures(double distance, SurfaceHit* resolved) const {
     TextureHit hit;
     hit.surface = *resolved->bound;
     hit.normal = resolved->normal;
@@ -105,6 +108,9 @@ class PathWalk {
     resolved->point = hit.point;
     resolved->normal = hit.normal;
     Normalize(&resolved->geometric_normal);
+    if (!transformed_) return;
+    resolved->face = UnitOf(hit.primitive_to_model.Normal(resolved->face));
+    resolved->slack = SlackOf(ray_, path_, distance, hit.primitive_to_model);
   }
 
   const Scene& scene_;
@@ -128,6 +134,8 @@ void ResolveHit(const Scene& scene, const Ray& ray, const Hit& hit, HitPath* pat
   resolved->normal = path->normal;
   resolved->geometric_normal = path->geometric_normal;
   resolved->smooth = path->smooth;
+  resolved->face = path->geometric_normal;
+  resolved->slack = SlackOf(ray, *path, hit.distance);
   resolved->textured = false;
   resolved->bound = &BoundSurface(scene, *path, placement);
   resolved->bound_transp = resolved->bound->transp;

@@ -20,6 +20,7 @@ void Append(const Ray& ray, const SurfaceHit& hit, const Vector& direction,
   Ray& next = bundle->rays.emplace_back();
   next.origin = hit.point;
   next.direction = direction;
+  next.min_distance = LeastDistance(hit, direction, kEpsilon);
   next.time = ray.time;
   next.contribution = contribution;
   next.key = PathKey(ray.key, kind == RayKind::kRefracted);
