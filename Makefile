@@ -53,7 +53,7 @@ help:
 	@echo "make test       build and run every test"
 	@echo "make reference  compare with the pictures of the original program"
 	@echo "make doc        print doc/messages.md from the catalogue of messages"
-	@echo "make bench      ratios of tracing times (BENCH_RUNS=5 BENCH_PIXELS=1024)"
+	@echo "make bench      the table of times as ratios (BENCH_RUNS=5 BENCH_PIXELS=1024 BENCH_SCENES=... RAYSHADE4=...)"
 	@echo "make gallery    render the small pictures of doc/scene_language.md"
 	@echo "make lint       who includes whom, and the format"
 	@echo "make deps       install what is missing for all of this (apt-get; root or sudo)"
