@@ -7,7 +7,8 @@ BUILD ?= build$(if $(SAN),/san-$(subst $(comma),-,$(SAN)))
 # What the goals need from the system is looked for first (milliseconds), and installed where it is missing.
 GOALS := $(filter-out clean help lint $(BUILD)/%,$(or $(MAKECMDGOALS),all))
 NEEDS := $(if $(GOALS),build) $(if $(filter test deps,$(GOALS)),test) \
-  $(if $(filter deps stability,$(GOALS)),charts) $(if $(filter deps fuzz,$(GOALS)),fuzz)
+  $(if $(filter deps stability,$(GOALS)),charts) $(if $(filter deps fuzz,$(GOALS)),fuzz) \
+  $(if $(filter bench-count% deps,$(GOALS)),count)
 ifneq ($(strip $(if $(findstring n,$(firstword -$(MAKEFLAGS))),,$(NEEDS))),)
 ifneq ($(shell sh tests/support/dependencies.sh $(NEEDS) >&2 && echo ready),ready)
 $(error something that the build needs is missing: see above)
@@ -46,7 +47,7 @@ PROGRAMS := $(BUILD)/rayshade $(patsubst scenes/%.cc,$(BUILD)/%,$(wildcard scene
   $(if $(wildcard parallel/pvm/trace_main.cc),$(BUILD)/prayshade-trace) \
   $(if $(wildcard parallel/sim/sim_main.cc),$(BUILD)/prayshade-sim)
 
-.PHONY: all deps demo test reference reference-parallel doc gallery stability lint help clean bench fuzz
+.PHONY: all deps demo test reference reference-parallel doc gallery stability lint help clean bench fuzz bench-count bench-count-compare
 all: $(PROGRAMS)
 
 help:
@@ -56,7 +57,8 @@ help:
 	@echo "make reference  compare with the pictures of the original program"
 	@echo "make reference-parallel  all its scenes by every schedule, to the bit (minutes)"
 	@echo "make doc        print doc/messages.md from the catalogue of messages"
-	@echo "make bench      ratios of tracing times (BENCH_RUNS=5 BENCH_PIXELS=1024)"
+	@echo "make bench      the table of times as ratios (BENCH_RUNS=5 BENCH_PIXELS=1024 BENCH_SCENES=... RAYSHADE4=...)"
+	@echo "make bench-count  instructions for small scenes; bench-count-compare: against the commit before"
 	@echo "make gallery    render the small pictures of doc/scene_language.md"
 	@echo "make stability  errors of intersections, self-intersections, with charts in doc/charts"
 	@echo "make fuzz       a million mutated scenes to the parser (FUZZ_RUNS=1000000)"
@@ -143,6 +145,12 @@ $(BUILD)/embree_loop: tests/bench/embree_loop.cc
 	$(CXX) -std=c++20 -O3 -march=native -o $@ $< -lembree3
 bench: all $(if $(wildcard /usr/include/embree3/rtcore.h),$(BUILD)/embree_loop)
 	@tests/bench/bench.sh $(BUILD)
+
+# Instructions for small scenes; -compare builds the commit before and fails where there are over 3% more.
+bench-count bench-count-compare:
+	@$(MAKE) --no-print-directory $(ALL_CORES) $(BUILD)/rayshade $(BUILD)/sphereflake
+	@tests/bench/prepare_counts.sh $(BUILD)/sphereflake $(BUILD)/count
+	@$(if $(findstring compare,$@),tests/bench/compare_counts.sh $(BUILD),tests/bench/count.sh $(BUILD)/rayshade $(BUILD)/count)
 
 # The pictures of the manual of the scene language; they are the same on every machine.
 GALLERY := $(patsubst scenes/gallery/%.ray,doc/gallery/%.png,$(wildcard scenes/gallery/*.ray))
