@@ -44,7 +44,7 @@ PROGRAMS := $(BUILD)/rayshade $(patsubst scenes/%.cc,$(BUILD)/%,$(wildcard scene
   $(if $(wildcard parallel/pvm/trace_main.cc),$(BUILD)/prayshade-trace) \
   $(if $(wildcard parallel/sim/sim_main.cc),$(BUILD)/prayshade-sim)
 
-.PHONY: all deps demo test reference doc gallery stability lint help clean bench
+.PHONY: all deps demo test reference doc gallery stability lint help clean bench accuracy
 all: $(PROGRAMS)
 
 help:
@@ -54,6 +54,7 @@ help:
 	@echo "make reference  compare with the pictures of the original program"
 	@echo "make doc        print doc/messages.md from the catalogue of messages"
 	@echo "make bench      ratios of tracing times (BENCH_RUNS=5 BENCH_PIXELS=1024)"
+	@echo "make accuracy   error against time, drawn into doc/charts (ten minutes; gnuplot)"
 	@echo "make gallery    render the small pictures of doc/scene_language.md"
 	@echo "make lint       who includes whom, and the format"
 	@echo "make deps       install what is missing for all of this (apt-get; root or sudo)"
@@ -134,6 +135,12 @@ $(BUILD)/embree_loop: tests/bench/embree_loop.cc
 	$(CXX) -std=c++20 -O3 -march=native -o $@ $< -lembree3
 bench: all $(if $(wildcard /usr/include/embree3/rtcore.h),$(BUILD)/embree_loop)
 	@tests/bench/bench.sh $(BUILD)
+
+# Error against time of every choice that trades one for the other; charts and data in doc/charts.
+$(BUILD)/accuracy: $(call object,tests/bench/accuracy_main.cc tests/bench/measured_scene.cc) $(CORE_LIB)
+	$(LINK)
+accuracy: all $(BUILD)/accuracy
+	@tests/bench/accuracy.sh $(BUILD) doc/charts
 
 # The pictures of the manual of the scene language; they are the same on every machine.
 GALLERY := $(patsubst scenes/gallery/%.ray,doc/gallery/%.png,$(wildcard scenes/gallery/*.ray))

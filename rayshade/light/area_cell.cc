@@ -27,24 +27,19 @@ std::optional<LightArrival> AreaCellLight::Arrive(const Vector&, const LightDire
   return LightArrival{intensity(), direction.toward, direction.distance};
 }
 
-// The samples of a pixel are spread evenly over the cells in their order, and the cells that one
-// sample asks as well, so that over all samples every cell is asked equally often.
+// The cells in their order are cut into as many equal parts as one sample asks cells, and each part
+// into as many again as the pixel has samples: the cell that a sample asks in each part lies at
+// random in the piece of its number. Over all samples every cell is asked equally often.
 double AreaCellLight::Share(const LightKey& key) const {
-  const uint32_t asked = static_cast<uint32_t>(key.area_cells);
-  if (asked >= cell_.cells) return 1;
+  const double asked = key.area_cells;
+  if (!(asked < cell_.cells)) return 1;
   const double samples = double(key.samples) * key.samples;
-  const double number = NumberOf(key.sample_number);
-  double place;
-  if (IsLowDiscrepancy(key.sample_number)) {
-    const uint64_t shift = PatternKey(key.sample_number, RandomUse::kAreaShare, cell_.area);
-    place = number / samples + static_cast<double>(shift >> 11) * 0x1.0p-53;
-  } else {
-    place = (number + KeyedRandom(key.key, RandomUse::kAreaShare, cell_.area)) / samples;
-  }
-  const double step = double(cell_.cells) / asked;
-  for (uint32_t j = 0; j < asked; ++j) {
-    const double at = std::fmod(place * cell_.cells + j * step, cell_.cells);
-    if (static_cast<uint32_t>(at) == cell_.order) return step;
+  const double random = KeyedRandom(key.key, RandomUse::kAreaShare, cell_.area);
+  const double place = std::fmod((NumberOf(key.sample_number) + random) / samples, 1);
+  const double part = std::floor((cell_.order + 1) * asked / cell_.cells);
+  for (const double j : {part - 1, part}) {
+    const double at = (j + place) / asked * cell_.cells;
+    if (j >= 0 && j < asked && std::floor(at) == cell_.order) return cell_.cells / asked;
   }
   return 0;
 }
