@@ -139,7 +139,10 @@ bench: all $(if $(wildcard /usr/include/embree3/rtcore.h),$(BUILD)/embree_loop)
 # Error against time of every choice that trades one for the other; charts and data in doc/charts.
 $(BUILD)/accuracy: $(call object,tests/bench/accuracy_main.cc tests/bench/measured_scene.cc) $(CORE_LIB)
 	$(LINK)
-accuracy: all $(BUILD)/accuracy
+$(BUILD)/precision: tests/bench/precision.cc tests/bench/ball_tracer.h
+	@mkdir -p $(@D)
+	$(CXX) -I. $(CXXFLAGS) -O3 -o $@ $<
+accuracy: all $(BUILD)/accuracy $(BUILD)/precision
 	@tests/bench/accuracy.sh $(BUILD) doc/charts
 
 # The pictures of the manual of the scene language; they are the same on every machine.

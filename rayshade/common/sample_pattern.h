@@ -39,13 +39,13 @@ constexpr int ReversedRank(int n, int i) {
   return rank;
 }
 
-// Where the sample of sub-cell (a, b) lies in its sub-cell. jitter: random, what is left to chance.
-constexpr PlaceInCell LowDiscrepancyPlace(int n, int a, int b, uint64_t pattern_key,
-                                          const PlaceInCell& jitter) {
-  const int shift_x = static_cast<int>(pattern_key % n),
-            shift_y = static_cast<int>(pattern_key / n % n);
-  return {((ReversedRank(n, b) + shift_x) % n + jitter.x) / n,
-          ((ReversedRank(n, a) + shift_y) % n + jitter.y) / n};
+// Where the sample of sub-cell (a, b) lies in its sub-cell: in the middle of one of its n x n
+// parts.
+constexpr PlaceInCell LowDiscrepancyPlace(int n, int a, int b, uint64_t pattern_key) {
+  const int shift_x = static_cast<int>(pattern_key % n);
+  const int shift_y = static_cast<int>(pattern_key / n % n);
+  return {((ReversedRank(n, b) + shift_x) % n + .5) / n,
+          ((ReversedRank(n, a) + shift_y) % n + .5) / n};
 }
 
 }  // namespace rayshade

@@ -27,7 +27,7 @@ std::optional<LightArrival> ExtendedLight::Arrive(const Vector& point, const Lig
   if (IsLowDiscrepancy(key.sample_number)) {
     place = LowDiscrepancyPlace(
         static_cast<int>(n), static_cast<int>(number % n), static_cast<int>(number / n),
-        PatternKey(key.sample_number, RandomUse::kExtendedLight, key.light), place);
+        PatternKey(key.sample_number, RandomUse::kExtendedLight, key.light));
   }
   const double v = -radius_ + (number % n) * width + place.x * width;
   const double u = -radius_ + (number / n) * width + place.y * width;

@@ -111,9 +111,8 @@ Ray Camera::PrimaryRay(const Sample& sample) const {
   const auto random = [&ray](RandomUse use) { return KeyedRandom(ray.key, use); };
   // A place in cell (column, row) of an n x n square.
   const auto place_in = [&](RandomUse use_x, RandomUse use_y, int column, int row) {
-    const PlaceInCell place{random(use_x), random(use_y)};
-    if (!low_discrepancy_) return place;
-    return LowDiscrepancyPlace(n, column, row, PatternKey(ray.sample_number, use_x), place);
+    if (!low_discrepancy_) return PlaceInCell{random(use_x), random(use_y)};
+    return LowDiscrepancyPlace(n, column, row, PatternKey(ray.sample_number, use_x));
   };
 
   // Place on the screen: the low corner of the sub-cell, or anywhere in it.

@@ -29,14 +29,14 @@ void ApplyQuality(Quality quality, Settings* s) {
       Sample(1, 1, s);
       s->max_depth = std::min(s->max_depth, 3);
       s->cutoff = {.05, .05, .05};
-      s->area_cells = 1;
+      s->area_cells = 4;
       s->light_cutoff = 1. / 64;
       return;
     case Quality::kRayshade:
       return;
     case Quality::kFine:
       Sample(4, .05, s);
-      s->area_cells = 4;
+      s->area_cells = 16;
       s->light_cutoff = 1. / 512;
       return;
     case Quality::kReference:

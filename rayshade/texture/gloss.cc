@@ -20,7 +20,7 @@ void GlossTexture::Apply(TextureHit* hit) const {
   if (IsLowDiscrepancy(hit->sample_number)) {
     place = LowDiscrepancyPlace(
         static_cast<int>(n), static_cast<int>(number % n), static_cast<int>(number / n),
-        PatternKey(hit->sample_number, RandomUse::kGloss, hit->application), place);
+        PatternKey(hit->sample_number, RandomUse::kGloss, hit->application));
   }
   const double a = place.x * cell - 1.0 + (number % n) * cell;
   const double b = place.y * cell - 1.0 + (number / n) * cell;

@@ -100,10 +100,11 @@ void Antialiasing(Chart* chart, MeasuredScene* scene) {
   }
   for (const double contrast : {.4, .2, .1, .05, .025, .0125}) {
     const std::string parameter = Text("T %g", contrast);
-    chart->Add(scene, "contrast, jittered 3 x 3", parameter, Adaptive(3, contrast, kRayshade));
-    chart->Add(scene, "contrast, low-disc. 2 x 2", parameter, Adaptive(2, contrast, kLow));
-    chart->Add(scene, "contrast, low-disc. 4 x 4", parameter, Adaptive(4, contrast, kLow));
-    chart->Add(scene, "contrast, low-disc. 8 x 8", parameter, Adaptive(8, contrast, kLow));
+    chart->Add(scene, "contrast rule on jittered 3 x 3", parameter,
+               Adaptive(3, contrast, kRayshade));
+    chart->Add(scene, "contrast rule on low-disc. 2 x 2", parameter, Adaptive(2, contrast, kLow));
+    chart->Add(scene, "contrast rule on low-disc. 4 x 4", parameter, Adaptive(4, contrast, kLow));
+    chart->Add(scene, "contrast rule on low-disc. 8 x 8", parameter, Adaptive(8, contrast, kLow));
   }
   chart->AddQualities(scene);
 }
@@ -120,7 +121,7 @@ void Area(Chart* chart) {
     const std::string parameter = Text("%g x %g", cells, cells);
     chart->Add(&scene, "all cells; 1 sample", parameter, Fixed(1, true, kRayshade));
     chart->Add(&scene, "all cells; jittered 4 x 4", parameter, Fixed(4, true, kRayshade));
-    chart->Add(&scene, "all cells; contrast .05, jittered 4 x 4", parameter,
+    chart->Add(&scene, "all cells; contrast .05 on jittered 4 x 4", parameter,
                Adaptive(4, .05, kRayshade));
   }
   MeasuredScene scene(kSoftShadows, 96, 96, "-DCELLS=8");
@@ -131,9 +132,9 @@ void Area(Chart* chart) {
                WithCells(Fixed(4, true, kRayshade), cells));
     chart->Add(&scene, "some cells; low-disc. 4 x 4", parameter,
                WithCells(Fixed(4, true, kLow), cells));
-    chart->Add(&scene, "some cells; contrast .05, low-disc. 4 x 4", parameter,
+    chart->Add(&scene, "some cells; contrast .05 on low-disc. 4 x 4", parameter,
                WithCells(Adaptive(4, .05, kLow), cells));
-    chart->Add(&scene, "some cells; contrast .05, low-disc. 8 x 8", parameter,
+    chart->Add(&scene, "some cells; contrast .05 on low-disc. 8 x 8", parameter,
                WithCells(Adaptive(8, .05, kLow), cells));
   }
   chart->AddQualities(&scene);
@@ -152,9 +153,10 @@ void Extended(Chart* chart) {
   }
   for (const double contrast : {.4, .2, .1, .05, .025, .0125}) {
     const std::string parameter = Text("T %g", contrast);
-    chart->Add(&scene, "contrast, jittered 4 x 4", parameter, Adaptive(4, contrast, kRayshade));
-    chart->Add(&scene, "contrast, low-disc. 4 x 4", parameter, Adaptive(4, contrast, kLow));
-    chart->Add(&scene, "contrast, low-disc. 8 x 8", parameter, Adaptive(8, contrast, kLow));
+    chart->Add(&scene, "contrast rule on jittered 4 x 4", parameter,
+               Adaptive(4, contrast, kRayshade));
+    chart->Add(&scene, "contrast rule on low-disc. 4 x 4", parameter, Adaptive(4, contrast, kLow));
+    chart->Add(&scene, "contrast rule on low-disc. 8 x 8", parameter, Adaptive(8, contrast, kLow));
   }
   chart->AddQualities(&scene);
 }
@@ -181,21 +183,21 @@ void Depth(Chart* chart, MeasuredScene* scene) {
   scene->Converge(8, 16, endless);
   const Way sampling = Fixed(8, true, SamplePattern::kLowDiscrepancy);
   for (const int depth : {0, 1, 2, 3, 4, 5, 8, 16}) {
-    chart->Add(scene, "depth limit, no cutoff", Text("%g", depth), [&](Settings* s) {
+    chart->Add(scene, "depth limit without cutoff", Text("%g", depth), [&](Settings* s) {
       endless(s);
       sampling(s);
       s->max_depth = depth;
     });
   }
   for (const double cutoff : {.5, .2, .1, .05, .02, .01, .005, .002, .0005}) {
-    chart->Add(scene, "cutoff, depth 24", Text("%g", cutoff), [&](Settings* s) {
+    chart->Add(scene, "cutoff at depth 24", Text("%g", cutoff), [&](Settings* s) {
       endless(s);
       sampling(s);
       s->cutoff = {cutoff, cutoff, cutoff};
     });
   }
   for (const double cutoff : {.1, .05, .02, .002}) {
-    chart->Add(scene, "cutoff, depth 5", Text("%g", cutoff), [&](Settings* s) {
+    chart->Add(scene, "cutoff at depth 5", Text("%g", cutoff), [&](Settings* s) {
       sampling(s);
       s->max_depth = 5;
       s->cutoff = {cutoff, cutoff, cutoff};
