@@ -142,7 +142,9 @@ $(BUILD)/accuracy: $(call object,tests/bench/accuracy_main.cc tests/bench/measur
 $(BUILD)/precision: tests/bench/precision.cc tests/bench/ball_tracer.h
 	@mkdir -p $(@D)
 	$(CXX) -I. $(CXXFLAGS) -O3 -o $@ $<
-accuracy: all $(BUILD)/accuracy $(BUILD)/precision
+$(BUILD)/compare_blocks: $(call object,tests/bench/compare_blocks.cc) $(CORE_LIB)
+	$(LINK)
+accuracy: $(BUILD)/rayshade $(BUILD)/accuracy $(BUILD)/precision $(BUILD)/compare_blocks
 	@tests/bench/accuracy.sh $(BUILD) doc/charts
 
 # The pictures of the manual of the scene language; they are the same on every machine.
