@@ -20,7 +20,7 @@
 namespace rayshade::bench {
 namespace {
 
-constexpr int kRuns = 3;
+constexpr int kRuns = 3, kPixels = 96;
 
 std::string Text(const char* format, double a, double b = 0) {
   char text[60];
@@ -113,10 +113,10 @@ const char kSoftShadows[] = "tests/bench/soft_shadows.ray";
 
 void Area(Chart* chart) {
   const auto kRayshade = SamplePattern::kRayshade, kLow = SamplePattern::kLowDiscrepancy;
-  MeasuredScene reference(kSoftShadows, 96, 96, "-DCELLS=4");
+  MeasuredScene reference(kSoftShadows, kPixels, kPixels, "-DCELLS=4");
   reference.Converge(8, 16, [](Settings*) {});
   for (const int cells : {1, 2, 4, 8}) {
-    MeasuredScene scene(kSoftShadows, 96, 96, "-DCELLS=" + std::to_string(cells));
+    MeasuredScene scene(kSoftShadows, kPixels, kPixels, "-DCELLS=" + std::to_string(cells));
     scene.ConvergeAs(reference);
     const std::string parameter = Text("%g x %g", cells, cells);
     chart->Add(&scene, "all cells; 1 sample", parameter, Fixed(1, true, kRayshade));
@@ -124,7 +124,7 @@ void Area(Chart* chart) {
     chart->Add(&scene, "all cells; contrast .05 on jittered 4 x 4", parameter,
                Adaptive(4, .05, kRayshade));
   }
-  MeasuredScene scene(kSoftShadows, 96, 96, "-DCELLS=8");
+  MeasuredScene scene(kSoftShadows, kPixels, kPixels, "-DCELLS=8");
   scene.ConvergeAs(reference);
   for (const int cells : {1, 2, 4, 8, 16}) {
     const std::string parameter = Text("%g of 64", cells);
@@ -142,7 +142,7 @@ void Area(Chart* chart) {
 
 void Extended(Chart* chart) {
   const auto kRayshade = SamplePattern::kRayshade, kLow = SamplePattern::kLowDiscrepancy;
-  MeasuredScene scene(kSoftShadows, 96, 96);
+  MeasuredScene scene(kSoftShadows, kPixels, kPixels);
   // From 6 x 6 on, the original's numbers of samples run from 1: one of them lies outside of the
   // light.
   scene.Converge(4, 64, [](Settings*) {});
@@ -163,7 +163,7 @@ void Extended(Chart* chart) {
 
 // Sampling of 16 per pixel stays the same; lights that could add less than a limit arrive untested.
 void LightCutoff(Chart* chart) {
-  MeasuredScene scene("scenes/room30.ray", 96, 96);
+  MeasuredScene scene("scenes/room30.ray", kPixels, kPixels);
   scene.Converge(8, 16, [](Settings*) {});
   const Way sampling = Fixed(4, true, SamplePattern::kLowDiscrepancy);
   for (const double limit : {0., 1. / 1024, 1. / 512, 1. / 256, 1. / 128, 1. / 64, 1. / 32}) {
@@ -177,20 +177,20 @@ void LightCutoff(Chart* chart) {
 
 void Depth(Chart* chart, MeasuredScene* scene) {
   const auto endless = [](Settings* s) {
-    s->max_depth = 24;
-    s->cutoff = {0, 0, 0};
+    s->max_depth = 16;
+    s->cutoff = {1e-4, 1e-4, 1e-4};
   };
   scene->Converge(8, 16, endless);
   const Way sampling = Fixed(8, true, SamplePattern::kLowDiscrepancy);
-  for (const int depth : {0, 1, 2, 3, 4, 5, 8, 16}) {
-    chart->Add(scene, "depth limit without cutoff", Text("%g", depth), [&](Settings* s) {
+  for (const int depth : {0, 1, 2, 3, 4, 5, 8, 12}) {
+    chart->Add(scene, "depth limit at cutoff .0001", Text("%g", depth), [&](Settings* s) {
       endless(s);
       sampling(s);
       s->max_depth = depth;
     });
   }
-  for (const double cutoff : {.5, .2, .1, .05, .02, .01, .005, .002, .0005}) {
-    chart->Add(scene, "cutoff at depth 24", Text("%g", cutoff), [&](Settings* s) {
+  for (const double cutoff : {.5, .2, .1, .05, .02, .01, .005, .002}) {
+    chart->Add(scene, "cutoff at depth 16", Text("%g", cutoff), [&](Settings* s) {
       endless(s);
       sampling(s);
       s->cutoff = {cutoff, cutoff, cutoff};
@@ -227,14 +227,14 @@ int Main(int argc, char** argv) {
                          Scene{"antialiasing-first", "scenes/first.ray"}}) {
     if (!wanted(s.name)) continue;
     Chart chart(data, s.name);
-    MeasuredScene scene(s.file, 128, 128);
+    MeasuredScene scene(s.file, kPixels, kPixels);
     Antialiasing(&chart, &scene);
   }
   for (const Scene& s : {Scene{"depth-balls", "scenes/balls5.ray"},
                          Scene{"depth-mirrors", "tests/bench/mirrors.ray"}}) {
     if (!wanted(s.name)) continue;
     Chart chart(data, s.name);
-    MeasuredScene scene(s.file, 96, 96);
+    MeasuredScene scene(s.file, kPixels, kPixels);
     Depth(&chart, &scene);
   }
   if (wanted("area")) {

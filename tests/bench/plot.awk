@@ -22,13 +22,15 @@ END {
   print "set xtics (.25, .5, 1, 2, 3, 5, 10, 20, 30, 50, 100, 200, 300, 500, 1000)"
   print "set ytics (.05, .1, .2, .3, .5, 1, 2, 3, 5, 10, 20, 30, 50, 100)"
   for (c = 0; c < curves; c++) printf "$c%d << EOD\n%sEOD\n", c, points[c]
-  print "$front << EOD"
-  for (i = 1; i <= fronts; i++) print front_x[i], front_y[i]
-  print "EOD"
+  if (fronts) {
+    print "$front << EOD"
+    for (i = 1; i <= fronts; i++) print front_x[i], front_y[i]
+    print "EOD"
+  }
   for (i = 1; i <= fronts; i++)
     printf "set label \"%s\" at %s,%s offset .7,.6 font ',9' tc rgb '%s'\n", front_name[i], front_x[i], front_y[i], color[front_curve[i] % 10 + 1]
   printf "plot "
   for (c = 0; c < curves; c++)
-    printf "$c%d using 1:2 with linespoints lw 1.5 pt %s ps .7 lc rgb '%s' title \"%s\", \\\n  ", c, mark[c % 10 + 1], color[c % 10 + 1], name[c]
-  print "$front using 1:2 with points pt 6 ps 2 lw 1.2 lc rgb '#000000' title \"worth using (the measured front)\""
+    printf "$c%d using 1:2 with linespoints lw 1.5 pt %s ps .7 lc rgb '%s' title \"%s\"%s", c, mark[c % 10 + 1], color[c % 10 + 1], name[c], c + 1 < curves || fronts ? ", \\\n  " : "\n"
+  if (fronts) print "$front using 1:2 with points pt 6 ps 2 lw 1.2 lc rgb '#000000' title \"worth using (the measured front)\""
 }

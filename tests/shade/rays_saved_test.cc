@@ -40,15 +40,11 @@ Rendered Render(SceneBuilder* builder, int frame, bool save) {
   return rendered;
 }
 
-// Renders with and without saving, compares, and returns how many rays were saved.
-uint64_t Saved(const Options& options) {
-  SceneBuilder first, second;
-  Diagnostics diagnostics("test");
-  diagnostics.set_quiet(true);
-  EXPECT_TRUE(ParseScene(options, &diagnostics, &first));
-  EXPECT_TRUE(ParseScene(options, &diagnostics, &second));
-  const int frame = first.settings().first_frame;
-  const Rendered saving = Render(&first, frame, true), whole = Render(&second, frame, false);
+// Renders one scene that was read twice, with and without saving, compares, and returns how many
+// rays were saved.
+uint64_t Compared(SceneBuilder* first, SceneBuilder* second) {
+  const int frame = first->settings().first_frame;
+  const Rendered saving = Render(first, frame, true), whole = Render(second, frame, false);
   EXPECT_TRUE(parallel::Identical(saving.picture, whole.picture));
   EXPECT_EQ(saving.counts.shadow_rays, whole.counts.shadow_rays);
   EXPECT_EQ(saving.counts.total_rays(), whole.counts.total_rays());
@@ -57,18 +53,30 @@ uint64_t Saved(const Options& options) {
 }
 
 uint64_t SavedIn(const std::string& text) {
+  SCOPED_TRACE(text);
   SceneBuilder first, second;
-  Diagnostics diagnostics("test");
-  Options options;
-  options.program = "test";
-  EXPECT_TRUE(ParseText(text, options, &diagnostics, &first)) << text;
-  EXPECT_TRUE(ParseText(text, options, &diagnostics, &second)) << text;
-  const Rendered saving = Render(&first, 0, true), whole = Render(&second, 0, false);
-  EXPECT_TRUE(parallel::Identical(saving.picture, whole.picture)) << text;
-  EXPECT_EQ(saving.counts.shadow_rays, whole.counts.shadow_rays);
-  EXPECT_EQ(saving.counts.total_rays(), whole.counts.total_rays());
-  EXPECT_EQ(whole.counts.rays_saved, 0u);
-  return saving.counts.rays_saved;
+  for (SceneBuilder* builder : {&first, &second}) {
+    Diagnostics diagnostics("test");
+    Options options;
+    options.program = "test";
+    EXPECT_TRUE(ParseText(text, options, &diagnostics, builder));
+  }
+  return Compared(&first, &second);
+}
+
+uint64_t SavedInFile(const std::string& file, int pixels) {
+  SCOPED_TRACE(file);
+  SceneBuilder first, second;
+  for (SceneBuilder* builder : {&first, &second}) {
+    Diagnostics diagnostics("test");
+    diagnostics.set_quiet(true);
+    Options options;
+    options.program = "test";
+    options.input = file;
+    options.resolution = {pixels, pixels};
+    EXPECT_TRUE(ParseScene(options, &diagnostics, builder));
+  }
+  return Compared(&first, &second);
 }
 
 const char kView[] = "screen 20 20\nsample 1 nojitter\neyep 0 -8 3\nlookp 0 0 0\n";
@@ -123,13 +131,7 @@ TEST(RaysSaved, AreNoneBehindATranslucentSurfaceWhereEachLightScalesTheOthers) {
 TEST(RaysSaved, ChangeNoPictureOfTheGallery) {
   uint64_t saved = 0;
   for (const auto& entry : std::filesystem::directory_iterator("scenes/gallery")) {
-    if (entry.path().extension() != ".ray") continue;
-    SCOPED_TRACE(entry.path().string());
-    Options options;
-    options.program = "test";
-    options.input = entry.path().string();
-    options.resolution = {24, 24};
-    saved += Saved(options);
+    if (entry.path().extension() == ".ray") saved += SavedInFile(entry.path().string(), 24);
   }
   EXPECT_GT(saved, 0u);
 }
