@@ -28,7 +28,7 @@ void ApplyQuality(Quality quality, Settings* s) {
     case Quality::kDraft:
       Sample(1, 1, s);
       s->max_depth = std::min(s->max_depth, 3);
-      s->cutoff = {.05, .05, .05};
+      for (int c = 0; c < 3; ++c) s->cutoff[c] = std::max(s->cutoff[c], .05);
       s->area_cells = 4;
       s->light_cutoff = 1. / 64;
       return;

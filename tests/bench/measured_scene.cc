@@ -17,7 +17,8 @@ namespace rayshade::bench {
 namespace {
 
 constexpr size_t kBundle = 1024;
-constexpr double kEnoughSeconds = 1.5;  // of measuring one point
+constexpr double kEnoughSeconds = 1;  // of measuring one point
+constexpr double kAlike = .05;        // of two times or two errors
 
 // Processor time: others on the machine do not count.
 double CpuSeconds() {
@@ -153,10 +154,18 @@ Point MeasuredScene::Measure(const std::string& curve, const std::string& parame
 }
 
 void MarkFront(std::vector<Point>* points) {
+  std::vector<Point*> by_time;
   for (Point& p : *points) {
-    p.front = std::none_of(points->begin(), points->end(), [&p](const Point& q) {
-      return q.time_ratio <= p.time_ratio && q.error < p.error;
-    });
+    if (p.curve != "--quality") by_time.push_back(&p);
+  }
+  std::sort(by_time.begin(), by_time.end(),
+            [](const Point* a, const Point* b) { return a->time_ratio < b->time_ratio; });
+  Point* last = nullptr;
+  for (Point* p : by_time) {
+    if (last != nullptr && p->error > (1 - kAlike) * last->error) continue;
+    if (last != nullptr && p->time_ratio < (1 + kAlike) * last->time_ratio) last->front = false;
+    p->front = true;
+    last = p;
   }
 }
 

@@ -23,7 +23,7 @@ struct Point {
   double samples = 0;      // primary rays per pixel
   double shadow_rays = 0;  // per pixel
   double secondary_rays = 0;  // per pixel
-  bool front = false;         // none is both faster and more exact
+  bool front = false;         // worth using
 };
 
 class MeasuredScene {
@@ -52,7 +52,9 @@ class MeasuredScene {
   std::vector<Color> reference_;  // clamped
 };
 
-// Marks the points that none is better than, in time and error.
+// Marks the points that none is better than in time and error. Of points within a few percent of
+// each other, which the next measurement may turn round, one is marked. Those named --quality
+// repeat others and are left out.
 void MarkFront(std::vector<Point>* points);
 void WriteCsv(const std::string& file, const std::vector<Point>& points);
 

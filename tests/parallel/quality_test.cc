@@ -25,7 +25,7 @@ const char kText[] =
     "surface glass specular .6 .6 .6 specpow 60 reflect .1 transp .9 index 1.4\n"
     "plane floor 0 0 0 0 0 1\nsphere steel .7 -.9 .3 .7 texture gloss .7\n"
     "sphere glass .5 .6 -.8 .5\ndisc paper .6 0 -.6 1.6 .3 -1 .2\n"
-    "sphere floor .2 0 0 0 translate time .3 .2\nsphere steel .2 1.5 .3 .2\n";
+    "sphere floor .2 0 0 0 translate (.3 * time) 0 .2\nsphere steel .2 1.5 .3 .2\n";
 
 class SceneFile {
  public:
