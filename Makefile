@@ -7,7 +7,7 @@ BUILD ?= build$(if $(SAN),/san-$(subst $(comma),-,$(SAN)))
 # What the goals need from the system is looked for first (milliseconds), and installed where it is missing.
 GOALS := $(filter-out clean help lint $(BUILD)/%,$(or $(MAKECMDGOALS),all))
 NEEDS := $(if $(GOALS),build) $(if $(filter test deps,$(GOALS)),test) \
-  $(if $(filter deps stability,$(GOALS)),charts) $(if $(filter deps fuzz,$(GOALS)),fuzz) \
+  $(if $(filter deps stability accuracy,$(GOALS)),charts) $(if $(filter deps fuzz,$(GOALS)),fuzz) \
   $(if $(filter bench-count% deps,$(GOALS)),count)
 ifneq ($(strip $(if $(findstring n,$(firstword -$(MAKEFLAGS))),,$(NEEDS))),)
 ifneq ($(shell sh tests/support/dependencies.sh $(NEEDS) >&2 && echo ready),ready)
@@ -47,7 +47,7 @@ PROGRAMS := $(BUILD)/rayshade $(patsubst scenes/%.cc,$(BUILD)/%,$(wildcard scene
   $(if $(wildcard parallel/pvm/trace_main.cc),$(BUILD)/prayshade-trace) \
   $(if $(wildcard parallel/sim/sim_main.cc),$(BUILD)/prayshade-sim)
 
-.PHONY: all deps demo test reference reference-parallel doc gallery stability lint help clean bench fuzz bench-count bench-count-compare
+.PHONY: all deps demo test reference reference-parallel doc gallery stability lint help clean bench fuzz bench-count bench-count-compare accuracy
 all: $(PROGRAMS)
 
 help:
@@ -59,6 +59,7 @@ help:
 	@echo "make doc        print doc/messages.md from the catalogue of messages"
 	@echo "make bench      the table of times as ratios (BENCH_RUNS=5 BENCH_PIXELS=1024 BENCH_SCENES=... RAYSHADE4=...)"
 	@echo "make bench-count  instructions for small scenes; bench-count-compare: against the commit before"
+	@echo "make accuracy   error against time, drawn into doc/charts (ten minutes; gnuplot)"
 	@echo "make gallery    render the small pictures of doc/scene_language.md"
 	@echo "make stability  errors of intersections, self-intersections, with charts in doc/charts"
 	@echo "make fuzz       a million mutated scenes to the parser (FUZZ_RUNS=1000000)"
@@ -151,6 +152,17 @@ bench-count bench-count-compare:
 	@$(MAKE) --no-print-directory $(ALL_CORES) $(BUILD)/rayshade $(BUILD)/sphereflake
 	@tests/bench/prepare_counts.sh $(BUILD)/sphereflake $(BUILD)/count
 	@$(if $(findstring compare,$@),tests/bench/compare_counts.sh $(BUILD),tests/bench/count.sh $(BUILD)/rayshade $(BUILD)/count)
+
+# Error against time of every choice that trades one for the other; charts and data in doc/charts.
+$(BUILD)/accuracy: $(call object,tests/bench/accuracy_main.cc tests/bench/measured_scene.cc) $(CORE_LIB)
+	$(LINK)
+$(BUILD)/precision: tests/bench/precision.cc tests/bench/ball_tracer.h
+	@mkdir -p $(@D)
+	$(CXX) -I. $(CXXFLAGS) -O3 -o $@ $<
+$(BUILD)/compare_blocks: $(call object,tests/bench/compare_blocks.cc) $(CORE_LIB)
+	$(LINK)
+accuracy: $(BUILD)/rayshade $(BUILD)/accuracy $(BUILD)/precision $(BUILD)/compare_blocks
+	@tests/bench/accuracy.sh $(BUILD) doc/charts
 
 # The pictures of the manual of the scene language; they are the same on every machine.
 GALLERY := $(patsubst scenes/gallery/%.ray,doc/gallery/%.png,$(wildcard scenes/gallery/*.ray))

@@ -19,7 +19,8 @@ namespace rayshade {
   X(primitive_tests) /* ray against one primitive */                               \
   X(cell_steps)      /* cells of the subdivision walked through */                 \
   X(shades)          /* hits shaded */                                             \
-  X(light_samples)   /* lights looked at from a hit */
+  X(light_samples)   /* lights looked at from a hit */                             \
+  X(rays_saved)      /* of shadow_rays: not traced, because no picture shows them */
 
 inline constexpr int kGeomKinds = 14;  // alternatives of GeomSpec
 

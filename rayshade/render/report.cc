@@ -99,6 +99,7 @@ void ReportStatistics(const OpCounts& counts, const std::vector<size_t>& kinds, 
   Count("Reflected rays:", "\t\t\t", counts.reflected_rays, stream);
   Count("Refracted rays:", "\t\t\t", counts.refracted_rays, stream);
   Count("Total rays:", "\t\t\t", total, stream);
+  if (counts.rays_saved > 0) Count("Rays not traced:", "\t\t", counts.rays_saved, stream);
   if (total > 0) {
     std::fprintf(stream, "Intersecting rays:\t\t%" PRIu64 " (%3.3f%%)\n", intersecting,
                  Percent(intersecting, total));

@@ -48,6 +48,7 @@ struct Scene {
   std::vector<std::unique_ptr<const Light>> lights;
   Surface default_surface;
   bool any_transparent = false;  // some surface in use may let shadow rays through
+  bool finite = false;           // every colour of surfaces, lights and air is a finite number
   ShutterInterval shutter;       // of this frame
   bool objects_are_stale;        // of this frame
 

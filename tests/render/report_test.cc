@@ -66,6 +66,12 @@ TEST(Report, CountsRaysAndHits) {
     ReportStatistics(counts, {}, {.25, .25}, 1000, f);
   });
   EXPECT_NE(text.find("Eye rays:\t\t\t3\n"), std::string::npos);
+  EXPECT_EQ(text.find("not traced"), std::string::npos);
+  counts.rays_saved = 1;
+  const std::string saving = Written([&](std::FILE* f) {
+    ReportStatistics(counts, {.25, .25}, 1000, f);
+  });
+  EXPECT_NE(saving.find("Total rays:\t\t\t4\nRays not traced:\t\t1\n"), std::string::npos);
   EXPECT_NE(text.find("Intersecting rays:\t\t2 (50.000%)\n"), std::string::npos);
   EXPECT_NE(text.find("Total CPU time (sec):\t\t0.50 (0.25u + 0.25s)\n"), std::string::npos);
   EXPECT_NE(text.find("Total memory allocated:\t\t1000 bytes\n"), std::string::npos);
