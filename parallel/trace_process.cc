@@ -19,6 +19,12 @@ WorkDone TraceProcess::work_done() const { return {impl_->counts, impl_->objects
 
 uint64_t TraceProcess::bytes_held() const { return impl_->bytes_held; }
 
+size_t TraceProcess::rays_in_work() const {
+  const Impl& p = *impl_;
+  return p.samples.size() + p.queue.size() + p.transferred.size() + p.waiting_rays +
+         p.waiting_shades.size() - p.free_waiting_shades.size() + (p.packer ? p.packer->size() : 0);
+}
+
 bool TraceProcess::Work(Outbox* outbox) { return impl_->Work(outbox); }
 
 template <class Message>
