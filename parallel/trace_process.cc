@@ -167,12 +167,12 @@ void TraceProcess::Impl::On(ProcessId, Distributed&, Outbox* outbox) {
   tracer = std::make_unique<CellTracer>(scene.get(), &tree, self, own.get(), cache.get());
   NoteBytes();
   Ready ready;
-  ready.bytes_held = own->bytes() + images.bytes();
+  ready.bytes_held = bytes_held;  // the subdivision and empty packs count, too
   uint64_t largest_foreign = 0;
   for (CellId c = 0; c < tree.size(); ++c) {
     if (!tracer->owns(c)) largest_foreign = std::max(largest_foreign, tree.cell(c).bytes);
   }
-  ready.bytes_needed = ready.bytes_held + 2 * largest_foreign;
+  ready.bytes_needed = ready.bytes_held + 2 * largest_foreign + PendingIntersections::kLeastBytes;
   ready.probe = MathProbe();
   ready.machine = meter->machine();
   outbox->Send(kHost, Encode(ready));

@@ -46,6 +46,7 @@ FaultPlan PlanFaults(uint64_t seed) {
   o.cache = draw.Chance(0.3) ? 0 : draw.Chance(0.4) ? 1 : draw.Low(500, 30000);
   o.resident = draw.Chance(0.4) ? 0 : draw.Low(500, 30000);
   plan.tight_memory = draw.Chance(0.25);
+  if (plan.tight_memory) o.rays_in_flight = 0;  // as many as the memory allows
 
   if (draw.Chance(0.7)) plan.slow_processes = draw.Chance(0.5) ? 0.25 : 0.6;
   plan.slowness_max = static_cast<double>(draw.Low(2, 200));

@@ -12,7 +12,7 @@ namespace rayshade::parallel {
 namespace {
 
 // Tight memory is found by trying: from so many bytes, a quarter more each time.
-constexpr uint64_t kLeastMemory = 4096;
+constexpr uint64_t kLeastMemory = 32 << 10;
 
 bool IsOutOfMemory(const std::string& text) { return text.starts_with("out of memory"); }
 

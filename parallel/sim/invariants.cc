@@ -122,7 +122,9 @@ void Invariants::OnStep(ProcessId process, double, double, size_t) {
     const TraceProcess& trace = *processes_->trace[process - 1u];
     in_all_processes_ += trace.rays_in_work() - in_processes_[process];
     in_processes_[process] = trace.rays_in_work();
-    if (options_.memory != 0 && trace.bytes_held() > options_.memory) {
+    // Whether the objects fit is found out when they are there; only then is tracing begun.
+    const bool traces = processes_->host.phase() == HostProcess::Phase::kTrace;
+    if (traces && options_.memory != 0 && trace.bytes_held() > options_.memory) {
       Broken(NameOfProcess(process) + " holds " + std::to_string(trace.bytes_held()) +
              " bytes, its budget is " + std::to_string(options_.memory));
     }
