@@ -38,6 +38,14 @@ uint64_t BytesPerPrimaryRay(const SceneSpec& scene) {
          (scene.lights.size() + 1) * (sizeof(ShadowRay) + sizeof(std::vector<ShadowCrossing>) + 16);
 }
 
+// What a trace process holds beside objects and many rays: the subdivision with its boxes, packs,
+// the first pending intersections, and one ray, to and fro.
+uint64_t BytesBeside(const CellTree& tree, const SceneSpec& scene, ProcessId processes) {
+  return tree.bytes() + tree.size() * (sizeof(Bounds) + 2) + tree.nodes().size() +
+         RayPacker(processes).bytes() + PendingIntersections::kLeastBytes +
+         2 * BytesPerPrimaryRay(scene);
+}
+
 std::string Bytes(uint64_t n) { return std::to_string(n) + " bytes"; }
 
 }  // namespace
@@ -78,7 +86,8 @@ void HostProcess::PlanMemory() {
   if (options_.memory != 0) {
     const auto held = BytesHeld(options_, tree_, spool_);
     const auto fullest = std::max_element(held.begin(), held.end());
-    const uint64_t spare = options_.processes > 1 ? 2 * largest_cell : 0;
+    const uint64_t beside = BytesBeside(tree_, spool_->scene(), options_.processes);
+    const uint64_t spare = beside + (options_.processes > 1 ? 2 * largest_cell : 0);
     if (*fullest + spare > options_.memory) {
       const int enough = ProcessesThatWouldDo(options_.memory, spare, spool_);
       throw std::runtime_error("out of memory: trace process " +
@@ -88,10 +97,10 @@ void HostProcess::PlanMemory() {
                                (enough > 0 ? std::to_string(enough) + " processes would do"
                                            : std::string("no number of processes would do")));
     }
-    const uint64_t rest = options_.memory - *fullest;
+    const uint64_t rest = options_.memory - *fullest - beside;
     options_.resident = std::min(options_.resident, rest / 4);
     options_.cache =
-        std::max(spare, std::min(options_.cache == 0 ? rest : options_.cache, rest / 3));
+        std::max(spare - beside, std::min(options_.cache == 0 ? rest : options_.cache, rest / 3));
     for_rays = (rest - std::min(rest, options_.resident + options_.cache)) / 2;
   } else if (options_.cache != 0) {
     options_.cache = std::max(options_.cache, 2 * largest_cell);
