@@ -6,7 +6,7 @@ BUILD ?= build$(if $(SAN),/san-$(subst $(comma),-,$(SAN)))
 
 # What the goals need from the system is looked for first (milliseconds), and installed where it is missing.
 GOALS := $(filter-out clean help lint $(BUILD)/%,$(or $(MAKECMDGOALS),all))
-NEEDS := $(if $(GOALS),build) $(if $(filter test deps,$(GOALS)),test) $(if $(filter deps,$(GOALS)),charts)
+NEEDS := $(if $(GOALS),build) $(if $(filter test seeds deps,$(GOALS)),test) $(if $(filter deps,$(GOALS)),charts)
 ifneq ($(strip $(if $(findstring n,$(firstword -$(MAKEFLAGS))),,$(NEEDS))),)
 ifneq ($(shell sh tests/support/dependencies.sh $(NEEDS) >&2 && echo ready),ready)
 $(error something that the build needs is missing: see above)
@@ -44,13 +44,14 @@ PROGRAMS := $(BUILD)/rayshade $(patsubst scenes/%.cc,$(BUILD)/%,$(wildcard scene
   $(if $(wildcard parallel/pvm/trace_main.cc),$(BUILD)/prayshade-trace) \
   $(if $(wildcard parallel/sim/sim_main.cc),$(BUILD)/prayshade-sim)
 
-.PHONY: all deps demo test reference doc gallery stability lint help clean bench
+.PHONY: all deps demo test seeds reference doc gallery stability lint help clean bench
 all: $(PROGRAMS)
 
 help:
 	@echo "make            build all programs under build/"
 	@echo "make demo       build, render the balls by every schedule on a private virtual machine, print a table"
 	@echo "make test       build and run every test"
+	@echo "make seeds      ten thousand simulated runs made difficult by seeds (SEEDS_COUNT=10000 SEEDS_FROM=0)"
 	@echo "make reference  compare with the pictures of the original program"
 	@echo "make doc        print doc/messages.md from the catalogue of messages"
 	@echo "make bench      ratios of tracing times (BENCH_RUNS=5 BENCH_PIXELS=1024)"
@@ -112,6 +113,13 @@ demo:
 test:
 	@$(MAKE) --no-print-directory $(ALL_CORES) $(BUILD)/unit_tests all
 	@tests/support/run_tests.sh $(BUILD) '$(TEST_FILTER)'
+
+# Seeds that make simulated runs difficult; a few hundred of them are in `make test`.
+SEEDS_COUNT ?= 10000
+SEEDS_FROM ?= 0
+seeds:
+	@$(MAKE) --no-print-directory $(ALL_CORES) $(BUILD)/unit_tests $(BUILD)/prayshade-sim
+	@SEEDS_COUNT=$(SEEDS_COUNT) SEEDS_FROM=$(SEEDS_FROM) $(BUILD)/unit_tests --gtest_filter='Seeds.*'
 
 # Every scene of the reference set beside the original's picture; SEEDS=0 leaves the random ones out.
 REFERENCE ?= $(or $(RAYSHADE_SHARED),../shared)/reference/public
