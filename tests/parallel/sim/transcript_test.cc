@@ -60,6 +60,7 @@ TEST_P(TranscriptOfSchedule, IsTheOneThatIsWrittenDown) {
   options.schedule = GetParam();
   options.processes = 2;
   options.pyramid = 4;
+  options.resident = 60;  // one of the balls
   const std::string transcript = TranscriptOf(&spool, options, 1);
   const std::string name = std::string("tests/transcripts/") + Name(GetParam()) + ".txt";
   const char* write = std::getenv("TRANSCRIPTS");
