@@ -6,7 +6,7 @@ BUILD ?= build$(if $(SAN),/san-$(subst $(comma),-,$(SAN)))
 
 # What the goals need from the system is looked for first (milliseconds), and installed where it is missing.
 GOALS := $(filter-out clean help lint $(BUILD)/%,$(or $(MAKECMDGOALS),all))
-NEEDS := $(if $(GOALS),build) $(if $(filter test deps,$(GOALS)),test) \
+NEEDS := $(if $(GOALS),build) $(if $(filter test seeds deps,$(GOALS)),test) \
   $(if $(filter deps stability accuracy,$(GOALS)),charts) $(if $(filter deps fuzz,$(GOALS)),fuzz) \
   $(if $(filter bench-count% deps,$(GOALS)),count)
 ifneq ($(strip $(if $(findstring n,$(firstword -$(MAKEFLAGS))),,$(NEEDS))),)
@@ -47,13 +47,14 @@ PROGRAMS := $(BUILD)/rayshade $(patsubst scenes/%.cc,$(BUILD)/%,$(wildcard scene
   $(if $(wildcard parallel/pvm/trace_main.cc),$(BUILD)/prayshade-trace) \
   $(if $(wildcard parallel/sim/sim_main.cc),$(BUILD)/prayshade-sim)
 
-.PHONY: all deps demo test reference reference-parallel doc gallery stability lint help clean bench fuzz bench-count bench-count-compare accuracy
+.PHONY: all deps demo test reference reference-parallel doc gallery stability lint help clean bench fuzz bench-count bench-count-compare accuracy seeds
 all: $(PROGRAMS)
 
 help:
 	@echo "make            build all programs under build/"
 	@echo "make demo       build, render the balls by every schedule on a private virtual machine, print a table"
 	@echo "make test       build and run every test"
+	@echo "make seeds      ten thousand simulated runs made difficult by seeds (SEEDS_COUNT=10000 SEEDS_FROM=0)"
 	@echo "make reference  compare with the pictures of the original program"
 	@echo "make reference-parallel  all its scenes by every schedule, to the bit (minutes)"
 	@echo "make doc        print doc/messages.md from the catalogue of messages"
@@ -120,6 +121,13 @@ demo:
 test:
 	@$(MAKE) --no-print-directory $(ALL_CORES) $(BUILD)/unit_tests all
 	@tests/support/run_tests.sh $(BUILD) '$(TEST_FILTER)'
+
+# Seeds that make simulated runs difficult; a few hundred of them are in `make test`.
+SEEDS_COUNT ?= 10000
+SEEDS_FROM ?= 0
+seeds:
+	@$(MAKE) --no-print-directory $(ALL_CORES) $(BUILD)/unit_tests $(BUILD)/prayshade-sim
+	@SEEDS_COUNT=$(SEEDS_COUNT) SEEDS_FROM=$(SEEDS_FROM) $(BUILD)/unit_tests --gtest_filter='Seeds.*'
 
 # Every scene of the reference set beside the original's picture; SEEDS=0 leaves the random ones out.
 REFERENCE ?= $(or $(RAYSHADE_SHARED),../shared)/reference/public

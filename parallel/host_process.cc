@@ -39,6 +39,14 @@ uint64_t BytesPerPrimaryRay(const SceneSpec& scene) {
          (scene.lights.size() + 1) * (sizeof(ShadowRay) + sizeof(std::vector<ShadowCrossing>) + 16);
 }
 
+// What a trace process holds beside objects and many rays: the subdivision with its boxes, packs,
+// the first pending intersections, and one ray, to and fro.
+uint64_t BytesBeside(const CellTree& tree, const SceneSpec& scene, ProcessId processes) {
+  return tree.bytes() + tree.size() * (sizeof(Bounds) + 2) + tree.nodes().size() +
+         RayPacker(processes).bytes() + PendingIntersections::kLeastBytes +
+         2 * BytesPerPrimaryRay(scene);
+}
+
 std::string Bytes(uint64_t n) { return std::to_string(n) + " bytes"; }
 
 }  // namespace
@@ -79,12 +87,13 @@ void HostProcess::Balance() {
   }
 }
 
-// The process that needs most memory for its objects and the two largest cells of others, and how
-// much that is.
+// The process that needs most memory for its objects, what lies beside them and the two largest
+// cells of others, and how much that is.
 std::pair<ProcessId, uint64_t> HostProcess::FullestProcess() const {
   const auto held = BytesHeld(options_, tree_, spool_);
   const auto fullest = std::max_element(held.begin(), held.end());
-  return {static_cast<ProcessId>(fullest - held.begin() + 1), *fullest + SpareBytes()};
+  return {static_cast<ProcessId>(fullest - held.begin() + 1),
+          *fullest + BytesBeside(tree_, spool_->scene(), options_.processes) + SpareBytes()};
 }
 
 uint64_t HostProcess::SpareBytes() const {

@@ -58,10 +58,12 @@ class PendingIntersections {
     free_.push_back(static_cast<uint32_t>(slot));
   }
   size_t size() const { return chunks_.size() * kChunk - free_.size(); }
+  // Of the first few slots, which come together.
+  static constexpr size_t kLeastBytes = 16 * sizeof(PendingIntersection);
   size_t bytes() const { return chunks_.size() * kChunk * sizeof(PendingIntersection); }
 
  private:
-  static constexpr size_t kChunk = 16;
+  static constexpr size_t kChunk = kLeastBytes / sizeof(PendingIntersection);
   PendingIntersection& Slot(uint64_t slot) { return chunks_[slot / kChunk][slot % kChunk]; }
 
   std::vector<std::unique_ptr<PendingIntersection[]>> chunks_;

@@ -102,4 +102,14 @@ size_t RayPacker::bytes() const {
   return bytes;
 }
 
+size_t RayPacker::size() const {
+  size_t size = pixels_.voids.size() + pixels_.results.size();
+  for (const Pack& p : packs_) {
+    for (const Rays* r : {&p.rays, &p.intersections})
+      size += r->content.primary.size() + r->content.travel.size();
+    size += p.results.size();
+  }
+  return size;
+}
+
 }  // namespace rayshade::parallel

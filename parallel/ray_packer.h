@@ -27,6 +27,7 @@ class RayPacker {
   void AddVoid(uint64_t token, Outbox* outbox);
   void Flush(Outbox* outbox);
   size_t bytes() const;
+  size_t size() const;  // rays and results that are not sent
 
  private:
   struct Rays {

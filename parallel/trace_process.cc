@@ -19,6 +19,12 @@ WorkDone TraceProcess::work_done() const { return {impl_->counts, impl_->objects
 
 uint64_t TraceProcess::bytes_held() const { return impl_->bytes_held; }
 
+size_t TraceProcess::rays_in_work() const {
+  const Impl& p = *impl_;
+  return p.samples.size() + p.queue.size() + p.transferred.size() + p.waiting_rays +
+         p.waiting_shades.size() - p.free_waiting_shades.size() + (p.packer ? p.packer->size() : 0);
+}
+
 bool TraceProcess::Work(Outbox* outbox) { return impl_->Work(outbox); }
 
 template <class Message>
@@ -163,12 +169,12 @@ void TraceProcess::Impl::On(ProcessId, Distributed&, Outbox* outbox) {
   if (TransfersHits(options.schedule) && plenty) ranks = std::make_unique<RankIndex>(own.get());
   NoteBytes();
   Ready ready;
-  ready.bytes_held = own->bytes() + images.bytes();
+  ready.bytes_held = bytes_held;  // the subdivision and empty packs count, too
   uint64_t largest_foreign = 0;
   for (CellId c = 0; c < tree.size(); ++c) {
     if (!tracer->owns(c)) largest_foreign = std::max(largest_foreign, tree.cell(c).bytes);
   }
-  ready.bytes_needed = ready.bytes_held + 2 * largest_foreign;
+  ready.bytes_needed = ready.bytes_held + 2 * largest_foreign + PendingIntersections::kLeastBytes;
   ready.probe = MathProbe();
   ready.machine = meter->machine();
   outbox->Send(kHost, Encode(ready));

@@ -6,6 +6,7 @@
 
 #include "parallel/host_process.h"
 #include "parallel/object_spool.h"
+#include "parallel/sim/fault_plan.h"
 #include "parallel/sim/simulator.h"
 #include "parallel/trace_process.h"
 #include "tests/support/parallel_run.h"
@@ -110,7 +111,8 @@ RecordedRun RecordRun(const std::string& text, const RunOptions& options, uint64
     add(trace);
     owned.emplace_back(trace);
   }
-  Simulator(processes, seed).Run();
+  FaultTiming timing(PlanFaults(seed), processes.size());  // for its times
+  Simulator(processes, &timing).Run();
   if (host.phase() != HostProcess::Phase::kDone) throw std::runtime_error(host.failure());
   run.tree = host.tree();
   run.camera = std::make_unique<Camera>(spool.scene().settings, 0);
