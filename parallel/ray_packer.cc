@@ -103,7 +103,7 @@ size_t RayPacker::bytes() const {
 }
 
 size_t RayPacker::size() const {
-  size_t size = pixels_.voids.size() + pixels_.results.size();
+  size_t size = pixels_.voids.size() + pixels_.misses.size() + pixels_.hits.size();
   for (const Pack& p : packs_) {
     for (const Rays* r : {&p.rays, &p.intersections})
       size += r->content.primary.size() + r->content.travel.size();

@@ -30,7 +30,7 @@ struct Addresses {
   template <class Message>
   void operator()(const Message&) const {}
   void operator()(const PrimaryRays& m) const {
-    for (const Sample& s : m.samples) rays->travelling.push_back({kHost, TokenOf(s)});
+    for (uint64_t token : m.tokens) rays->travelling.push_back({kHost, token});
   }
   void operator()(const TravellingRays& m) const {
     for (const PrimaryTravel& p : m.primary) rays->travelling.push_back({kHost, p.token});
@@ -45,7 +45,8 @@ struct Addresses {
   }
   void operator()(const PixelResults& m) const {
     for (const uint64_t token : m.voids) Finished(token);
-    for (const PixelItem& p : m.results) Finished(p.token);
+    for (const PixelItem& p : m.misses) Finished(p.token);
+    for (const PixelItem& p : m.hits) Finished(p.token);
   }
 };
 
@@ -62,7 +63,7 @@ struct Words {
   void operator()(const Objects& m) const { (*this)(m.parcel); }
   void operator()(const SetUp& m) const { Add(m.tree.size(), "cell", "cells", text); }
   void operator()(const PrimaryRays& m) const {
-    Add(m.samples.size(), "primary ray", "primary rays", text);
+    Add(m.tokens.size(), "primary ray", "primary rays", text);
   }
   void Travelling(const TravellingRays& m, const char* one, const char* many) const {
     Add(m.primary.size(), ("primary " + std::string(one)).c_str(),
@@ -74,7 +75,7 @@ struct Words {
   void operator()(const IntersectionTask& m) const { Travelling(m, "hit", "hits"); }
   void operator()(const RayResults& m) const { Add(m.results.size(), "result", "results", text); }
   void operator()(const PixelResults& m) const {
-    Add(m.results.size(), "pixel", "pixels", text);
+    Add(m.misses.size() + m.hits.size(), "pixel", "pixels", text);
     Add(m.voids.size(), "void", "voids", text);
   }
   void operator()(const CellRequest& m) const { *text = "cell " + std::to_string(m.cell); }
