@@ -167,7 +167,7 @@ void HostRun::Restore(const std::string& file, int frame, HostProcess* host) {
 }
 
 void HostRun::ReportScene(const HostProcess& host, int frame) {
-  ReportWorld(host.tree().bounds(), spool_->size(), report());
+  ReportWorld(host.tree().bounds(), spool_->primitives_placed(), report());
   if (frame != settings_.first_frame) return;
   ReportOptions(settings_, Camera(settings_, frame).window(), report());
   std::fprintf(report(), "%d trace processes on %zu PVM hosts, %s.\n", run_.processes,

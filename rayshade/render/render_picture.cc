@@ -178,7 +178,7 @@ bool Renderer::RenderFrame(int frame) {
   if (reports() && settings_.verbose) {
     Bounds world = built.objects->bounds();
     if (!world.empty()) world.Grow(2 * kEpsilon);  // as the original's list of everything
-    ReportWorld(world, built.objects->size(), report());
+    ReportWorld(world, scene_->primitives_placed(), report());
     if (frame == settings_.first_frame) ReportOptions(settings_, camera.window(), report());
   }
   stats_.build_seconds += EndPhase();

@@ -45,12 +45,12 @@ void ReportTests(const OpCounts& counts, const std::vector<size_t>& kinds, std::
 
 }  // namespace
 
-void ReportWorld(const Bounds& bounds, uint64_t objects, std::FILE* stream) {
+void ReportWorld(const Bounds& bounds, uint64_t primitives, std::FILE* stream) {
   std::fprintf(stream, "list \"World\":\n");
   for (int axis = 0; axis < 3 && !bounds.empty(); ++axis) {
     std::fprintf(stream, "\t%c: %f to %f\n", "XYZ"[axis], bounds.low[axis], bounds.high[axis]);
   }
-  std::fprintf(stream, "\t%" PRIu64 " primitive%s\n", objects, objects == 1 ? " " : "s");
+  std::fprintf(stream, "\t%" PRIu64 " primitive%s\n", primitives, primitives == 1 ? " " : "s");
 }
 
 void ReportOptions(const Settings& s, const PictureWindow& window, std::FILE* stream) {

@@ -18,7 +18,7 @@ struct CpuTime {
 };
 
 // The object block of the world. bounds: of its bounded objects, may be empty.
-void ReportWorld(const Bounds& bounds, uint64_t objects, std::FILE* stream);
+void ReportWorld(const Bounds& bounds, uint64_t primitives, std::FILE* stream);
 // The option list.
 void ReportOptions(const Settings& settings, const PictureWindow& window, std::FILE* stream);
 void ReportStart(const CpuTime& cpu, std::FILE* stream);

@@ -26,6 +26,14 @@ struct OpenAggregate {
   LocalPlacement last_local = 0;
 };
 
+uint64_t LeavesOf(const GeomSpec& spec) {
+  const auto* composite = std::get_if<CompositeSpec>(&spec);
+  if (!composite) return 1;
+  uint64_t leaves = 0;
+  for (const PlacedSpec& member : *composite->members) leaves += LeavesOf(member.geom);
+  return leaves;
+}
+
 // The same object with something more around it, as one level where that makes no difference.
 PlacedSpec Wrap(const PlacedSpec& inner, Attributes&& outer) {
   const Attributes& own = inner.attributes;
@@ -208,7 +216,9 @@ void Skeleton::AddPrimitive(GeomSpec&& spec, Attributes&& attributes) {
     node.bounded = true;
     if (!animated) node.box.Include(OuterBounds(attributes, own, {}));
   }
-  const bool endless = bounded && std::holds_alternative<CompositeSpec>(spec) && !IsBounded(spec);
+  const bool composite = std::holds_alternative<CompositeSpec>(spec);
+  if (composite) node.primitives_in_csg += LeavesOf(spec) - 1;  // one is an item
+  const bool endless = bounded && composite && !IsBounded(spec);
   const LocalPlacement local = impl_->Intern(std::move(attributes), bounded, endless);
   if (bounded && animated) {
     node.moving = true;
@@ -299,6 +309,8 @@ const Settings& Skeleton::settings() const { return impl_->spec.settings; }
 uint64_t Skeleton::objects_stored() const { return impl_->sequence; }
 
 const std::vector<size_t>& Skeleton::kinds_read() const { return impl_->kinds_read; }
+
+uint64_t Skeleton::primitives_placed() const { return PrimitivesIn(impl_->tree, 0); }
 
 Expansion Skeleton::Expand(int frame) const {
   CHECK(impl_->open.size() == 1);

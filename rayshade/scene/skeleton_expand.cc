@@ -1,5 +1,6 @@
 // From the tree of aggregates to runs of objects with one path each; see skeleton.h.
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 
@@ -125,6 +126,22 @@ Bounds MembersBox(const SkeletonTree& tree, NodeId id, const ShutterInterval& sh
                             shutter));
   }
   return box;
+}
+
+uint64_t PrimitivesIn(const SkeletonTree& tree, NodeId id) {
+  std::vector<std::optional<uint64_t>> known(tree.nodes.size());
+  const std::function<uint64_t(NodeId)> count = [&](NodeId node_id) {
+    std::optional<uint64_t>& sum = known[node_id];
+    if (sum) return *sum;
+    const TreeNode& node = tree.nodes[node_id];
+    uint64_t total = node.primitives_in_csg;
+    for (const NodeItem& item : node.items) {
+      total += item.nested ? count(item.node) : item.end - item.first;
+    }
+    sum = total;
+    return total;
+  };
+  return count(id);
 }
 
 Expansion ExpandTree(const SkeletonTree& tree, const ShutterInterval& shutter) {

@@ -35,6 +35,7 @@ class SkeletonSink : public SceneSink {
   void OnSettings(const Settings& settings) override { skeleton().OnSettings(settings); }
 
   const std::vector<size_t>& kinds_read() { return skeleton().kinds_read(); }
+  uint64_t primitives_placed() { return skeleton().primitives_placed(); }
 
  private:
   virtual Skeleton& skeleton() = 0;

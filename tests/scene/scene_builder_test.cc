@@ -164,6 +164,18 @@ TEST(SceneBuilder, TexturesMoveWhereObjectsAreStale) {
   EXPECT_EQ(Seen(scene + "sample 1 nojitter", 0, 0, 0, 1), 'r');
 }
 
+TEST(SceneBuilder, CountsPrimitivesAsOftenAsTheyArePlaced) {
+  SceneBuilder builder;
+  Options options;
+  Diagnostics diagnostics("test");
+  ASSERT_TRUE(
+      ParseText("name a list sphere 1 0 0 0 box 1 1 1 2 2 2 end name b object a name u sphere 1 "
+                "0 0 0\nname c union sphere 1 0 0 0 object a end\n"
+                "list object a object b end object c grid 1 1 1 object c end disc 1 0 0 0 0 0 1",
+                options, &diagnostics, &builder));
+  EXPECT_EQ(builder.primitives_placed(), 2u + 2 + 3 + 3 + 1);
+}
+
 TEST(SceneBuilder, WhatIsNotUsedCostsNothing) {
   std::string spheres, extra;
   for (int i = 0; i < 200; ++i) {
