@@ -18,7 +18,7 @@ namespace {
 
 constexpr size_t kBundle = 1024;
 constexpr double kEnoughSeconds = 1;  // of measuring one point
-constexpr double kAlike = .05;        // of two times or two errors
+constexpr double kAlike = .1;         // of two times or two errors
 
 // Processor time: others on the machine do not count.
 double CpuSeconds() {

@@ -23,11 +23,11 @@ END {
   print "if (terminal eq 'png') set terminal pngcairo size 960,760 font 'DejaVu Sans,10'"
   print "set encoding utf8\nset output out"
   printf "set title \"%s\" font ',14'\n", title
-  printf "set xlabel \"%s\"\n", x
+  printf "set xlabel \"%s\" offset 0,.6\n", x
   print "set ylabel \"error: root mean square difference from the converged picture (1/255)\""
   print "set logscale xy\nset grid xtics ytics lc rgb '#dddddd'\nset border 3\nset tics nomirror"
-  print "set key below maxcols 2 samplen 2 spacing 1.1 offset 0,-.7"
-  printf "set xrange [%g:%g]\nset yrange [%g:%g]\n", low_x / 1.15, high_x * 1.35, low_y / 1.25, high_y * 1.3
+  print "set key below maxcols 2 samplen 2 spacing 1.1"
+  printf "set xrange [%g:%g]\nset yrange [%g:%g]\n", low_x / 1.3, high_x * 1.35, low_y / 1.25, high_y * 1.3
   print "set xtics (.25, .5, .7, 1, 1.5, 2, 3, 5, 7, 10, 15, 20, 30, 50, 70, 100, 200, 300, 500, 1000)"
   print "set ytics (.05, .1, .2, .3, .5, .7, 1, 1.5, 2, 3, 5, 7, 10, 15, 20, 30, 50, 100)"
   for (c = 0; c < curves; c++) printf "$c%d << EOD\n%sEOD\n", c, points[c]
