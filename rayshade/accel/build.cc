@@ -138,9 +138,7 @@ class Builder {
     const uint32_t object = ObjectOf(box);
     return object < spheres_.size() ? kSphereLeaf : refs_[object - spheres_.size()].kind;
   }
-  const Box* BoxesOf(const Range& range) const {
-    return boxes_[range.array].data() + range.begin;
-  }
+  const Box* BoxesOf(const Range& range) const { return boxes_[range.array].data() + range.begin; }
 
   bool OneKind(const Range& range) const {
     if (refs_.empty()) return true;
@@ -159,7 +157,8 @@ class Builder {
     if (depth < kDepthOfHeuristic) split = Divide(BoxesOf(range), count, to);
     const float area = range.box.HalfArea();
     const float leaf_cost = kObjectCost * static_cast<float>(count) * area;
-    if (may_be_leaf && (!split.found() || leaf_cost <= kSplitCost * area + kObjectCost * split.cost))
+    if (may_be_leaf &&
+        (!split.found() || leaf_cost <= kSplitCost * area + kObjectCost * split.cost))
       return false;
     *left = *right = range;
     left->array = right->array = 1 - range.array;

@@ -13,7 +13,7 @@ constexpr int kBins = 32;
 Split DivideByBins(const Box* from, uint32_t count, Box* to) {
   Box centers = Box::Empty();
   for (uint32_t i = 0; i < count; ++i) centers.Include(from[i].doubled_center());
-  const int bin_count = std::min<int>(kBins, 8 + static_cast<int>(count / 4));
+  const int bin_count = std::min<int>(kBins, 4 + static_cast<int>(count / 4));
   const int counts[3] = {bin_count, bin_count, bin_count};
   const Intervals intervals(centers, counts);
   Bin bins[3][kBins];

@@ -8,7 +8,6 @@
 
 namespace rayshade {
 
-
 inline constexpr int kBinsMax = 64;
 
 struct Bin {
