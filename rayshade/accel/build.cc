@@ -139,6 +139,7 @@ class Builder {
     const auto count = [&](const Box& box) {
       const I4 bin = BinsOf(box, best);
       for (int axis = 0; axis < 3; ++axis) {
+        if (best.scale[axis] == 0) continue;  // there are no bins: all in a plane, or too far apart
         Bin& b = bins[axis][bin[axis]];
         b.box.Include(box);
         ++b.count;
