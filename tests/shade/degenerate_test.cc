@@ -82,7 +82,8 @@ Outcome Render(const std::string& text) {
         RayResult results[2];
         TraceBundle(*built.scene, *built.objects, bundle, results, &counts);
         for (const RayResult& r : results) {
-          outcome.finite &= std::isfinite(r.color.r + r.color.g + r.color.b);
+          outcome.finite &=
+              !std::isnan(r.color.r) && !std::isnan(r.color.g) && !std::isnan(r.color.b);
         }
       }
     }
