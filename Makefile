@@ -34,7 +34,7 @@ endif
 CORE := $(filter-out rayshade/main.cc,$(wildcard rayshade/*/*.cc))
 PARALLEL := $(wildcard parallel/*.cc) $(filter-out %_main.cc,$(wildcard parallel/sim/*.cc))
 PVM := $(filter-out %_main.cc,$(wildcard parallel/pvm/*.cc))
-STABILITY := $(filter-out %_main.cc,$(wildcard tests/stability/*.cc))
+STABILITY := $(filter-out %_main.cc %_test.cc,$(wildcard tests/stability/*.cc))
 TESTS := $(sort $(wildcard tests/*/*_test.cc tests/*/*/*_test.cc tests/support/*.cc) $(STABILITY))
 TEST_FILTER ?= *
 

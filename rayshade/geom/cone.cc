@@ -79,7 +79,10 @@ bool Cone::Intersect(const ObjectRay& ray, double min, double max, double* dista
   double roots[2];
   int count = 0;
   if (std::abs(a) < kEpsilon) {
-    roots[count++] = -c / (2 * b);
+    // With one step towards the root of the whole equation.
+    const double t = -c / (2 * b);
+    const double polished = t - ((a * t + 2 * b) * t + c) / (2 * (a * t + b));
+    roots[count++] = std::isfinite(polished) ? polished : t;
   } else {
     const double discriminant = b * b - a * c;
     if (!(discriminant >= 0)) return false;
