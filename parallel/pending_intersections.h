@@ -21,8 +21,8 @@ struct alignas(64) PendingIntersection {
   ReturnAddress back;
   bool in_use = false;
   bool in_air = true;
-  bool reflected_waits = false;       // for the transmitted ray
-  RayKind kind = RayKind::kPrimary;   // of the ray that was shaded
+  bool reflected_waits = false;      // for the transmitted ray
+  RayKind kind = RayKind::kPrimary;  // of the ray that was shaded
   double distance = 0;
   Color lights;
   Secondary secondary;
