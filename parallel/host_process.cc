@@ -86,8 +86,7 @@ void HostProcess::PlanMemory() {
   if (options_.memory != 0) {
     const auto held = BytesHeld(options_, tree_, spool_);
     const auto fullest = std::max_element(held.begin(), held.end());
-    const uint64_t beside = BytesBeside(tree_, spool_->scene(), options_.processes);
-    const uint64_t spare = beside + (options_.processes > 1 ? 2 * largest_cell : 0);
+    const uint64_t spare = options_.processes > 1 ? 2 * largest_cell : 0;
     if (*fullest + spare > options_.memory) {
       const int enough = ProcessesThatWouldDo(options_.memory, spare, spool_);
       throw std::runtime_error("out of memory: trace process " +
@@ -97,10 +96,12 @@ void HostProcess::PlanMemory() {
                                (enough > 0 ? std::to_string(enough) + " processes would do"
                                            : std::string("no number of processes would do")));
     }
-    const uint64_t rest = options_.memory - *fullest - beside;
+    const uint64_t free = options_.memory - *fullest;
+    const uint64_t rest =
+        free - std::min(free, BytesBeside(tree_, spool_->scene(), options_.processes));
     options_.resident = std::min(options_.resident, rest / 4);
     options_.cache =
-        std::max(spare - beside, std::min(options_.cache == 0 ? rest : options_.cache, rest / 3));
+        std::max(spare, std::min(options_.cache == 0 ? rest : options_.cache, rest / 3));
     for_rays = (rest - std::min(rest, options_.resident + options_.cache)) / 2;
   } else if (options_.cache != 0) {
     options_.cache = std::max(options_.cache, 2 * largest_cell);
@@ -160,10 +161,10 @@ void HostProcess::On(ProcessId, const ObjectsTaken&, Outbox*) {
 void HostProcess::On(ProcessId from, const Ready& message, Outbox*) {
   probes_[from - 1] = message.probe;
   machines_[from - 1] = message.machine;
-  if (options_.memory != 0 && message.bytes_needed > options_.memory) {
-    Fail("out of memory: trace process " + std::to_string(from) + " needs " +
-         Bytes(message.bytes_needed) + " for its objects, --memory allows " +
-         Bytes(options_.memory));
+  const uint64_t needed = message.bytes_needed + 2 * BytesPerPrimaryRay(spool_->scene());
+  if (options_.memory != 0 && needed > options_.memory) {
+    Fail("out of memory: trace process " + std::to_string(from) + " needs " + Bytes(needed) +
+         " for its objects, --memory allows " + Bytes(options_.memory));
   }
   if (++ready_ < options_.processes || finished()) return;
   for (int p = 1; p < options_.processes; ++p) {
