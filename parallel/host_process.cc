@@ -87,13 +87,12 @@ void HostProcess::Balance() {
   }
 }
 
-// The process that needs most memory for its objects, what lies beside them and the two largest
-// cells of others, and how much that is.
+// The process that needs most memory for its objects and the two largest cells of others, and how
+// much that is.
 std::pair<ProcessId, uint64_t> HostProcess::FullestProcess() const {
   const auto held = BytesHeld(options_, tree_, spool_);
   const auto fullest = std::max_element(held.begin(), held.end());
-  return {static_cast<ProcessId>(fullest - held.begin() + 1),
-          *fullest + BytesBeside(tree_, spool_->scene(), options_.processes) + SpareBytes()};
+  return {static_cast<ProcessId>(fullest - held.begin() + 1), *fullest + SpareBytes()};
 }
 
 uint64_t HostProcess::SpareBytes() const {
@@ -118,7 +117,9 @@ void HostProcess::PlanMemory() {
                                (enough > 0 ? std::to_string(enough) + " processes would do"
                                            : std::string("no number of processes would do")));
     }
-    const uint64_t rest = options_.memory - (needed - spare);
+    const uint64_t free = options_.memory - (needed - spare);
+    const uint64_t rest =
+        free - std::min(free, BytesBeside(tree_, spool_->scene(), options_.processes));
     options_.resident = std::min(options_.resident, rest / 4);
     options_.cache =
         std::max(spare, std::min(options_.cache == 0 ? rest : options_.cache, rest / 3));
@@ -181,10 +182,10 @@ void HostProcess::On(ProcessId, const ObjectsTaken&, Outbox*) {
 void HostProcess::On(ProcessId from, const Ready& message, Outbox*) {
   probes_[from - 1] = message.probe;
   machines_[from - 1] = message.machine;
-  if (options_.memory != 0 && message.bytes_needed > options_.memory) {
-    Fail("out of memory: trace process " + std::to_string(from) + " needs " +
-         Bytes(message.bytes_needed) + " for its objects, --memory allows " +
-         Bytes(options_.memory));
+  const uint64_t needed = message.bytes_needed + 2 * BytesPerPrimaryRay(spool_->scene());
+  if (options_.memory != 0 && needed > options_.memory) {
+    Fail("out of memory: trace process " + std::to_string(from) + " needs " + Bytes(needed) +
+         " for its objects, --memory allows " + Bytes(options_.memory));
   }
   if (++ready_ < options_.processes || finished()) return;
   for (int p = 1; p < options_.processes; ++p) {
