@@ -55,7 +55,9 @@ struct Intervals {
     base[3] = 0;
   }
   I4 Of(const Box& box) const {
-    return __builtin_convertvector((box.doubled_center() - base) * scale, I4);
+    const F4 at = (box.doubled_center() - base) * scale;
+    return __builtin_convertvector(scale == 0 ? AllOf(0) : at,
+                                   I4);  // infinity times 0 is no number
   }
 };
 
