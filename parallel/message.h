@@ -94,17 +94,18 @@ struct Travel {
 
 // A primary ray on its way: it is a pure function of its sample, so the sample stands for it.
 struct PrimaryTravel {
+  static constexpr bool kPacked = true;
   uint64_t token = 0;  // of its return address at the host
-  CellId resume = kNoCell;
   double best_distance = kFar;
   Rank best_rank = kNoRank;
+  CellId resume = kNoCell;
 
   template <class A>
   void Fields(A& a) {
     a("token", token);
-    a("resume", resume);
     a("best_distance", best_distance);
     a("best_rank", best_rank);
+    a("resume", resume);
   }
 };
 
@@ -284,11 +285,11 @@ struct WorkRequest {
 struct PrimaryRays {
   RAYSHADE_MESSAGE(PrimaryRays, "host", "trace", "RJ s.3-4",
                    "One pyramid of primary rays, as samples of the picture: a PyraClip task.");
-  std::vector<Sample> samples;
+  std::vector<uint64_t> tokens;  // of the samples' return addresses
 
   template <class A>
   void Fields(A& a) {
-    a("samples", samples);
+    a("tokens", tokens);
   }
 };
 
@@ -305,17 +306,16 @@ struct IntersectionTask : TravellingRays {
 
 // One finished ray.
 struct ResultItem {
+  static constexpr bool kPacked = true;
   uint64_t token = 0;
   Color color;
-  double distance = 0;
-  bool hit = false;
+  double distance = 0;  // kFar: nothing was hit
 
   template <class A>
   void Fields(A& a) {
     a("token", token);
     a("color", color);
     a("distance", distance);
-    a("hit", hit);
   }
 };
 
@@ -330,31 +330,32 @@ struct RayResults {
   }
 };
 
-// A finished primary ray that hit something, or that the air has coloured.
+// A finished primary ray and its colour.
 struct PixelItem {
+  static constexpr bool kPacked = true;
   uint64_t token = 0;
   Color color;
-  bool hit = false;
 
   template <class A>
   void Fields(A& a) {
     a("token", token);
     a("color", color);
-    a("hit", hit);
   }
 };
 
 struct PixelResults {
   RAYSHADE_MESSAGE(
       PixelResults, "trace", "host", "RJ s.2, s.4",
-      "Results of primary rays. Voids, which show the background, are told by their tokens alone.");
+      "Results of primary rays: hits, misses that the air has coloured, and voids, which show the "
+      "background and are told by their tokens alone.");
   std::vector<uint64_t> voids;
-  std::vector<PixelItem> results;
+  std::vector<PixelItem> misses, hits;
 
   template <class A>
   void Fields(A& a) {
     a("voids", voids);
-    a("results", results);
+    a("misses", misses);
+    a("hits", hits);
   }
 };
 
@@ -526,7 +527,7 @@ std::vector<uint8_t> Encode(const Message& message) {
   ByteWriter w;
   w.Put(Message::kTag);
   w.Put(message);
-  return std::move(w.bytes());
+  return w.Take();
 }
 
 // The tag of an encoded message; WireError where there is none of that number.

@@ -55,7 +55,8 @@ Shadows ShadowsOf(const std::string& name, const std::string& value) {
 
 Distribution DistributionOf(const std::string& name, const std::string& value) {
   if (value == "grid") return Distribution::kGrid;
-  Refuse(name, value, "grid");
+  if (value == "balanced") return Distribution::kBalanced;
+  Refuse(name, value, "grid or balanced");
 }
 
 void Read(const std::string& name, const std::string& value, ParallelOptions* options) {
@@ -89,7 +90,8 @@ std::vector<LongOption> ParallelLongOptions() {
   return {
       {"processes", "N", "trace processes  [one for each processor]"},
       {"schedule", "NAME", "data-parallel, demand-driven, hybrid  [hybrid]"},
-      {"distribution", "NAME", "how objects are spread: grid, equal voxels  [grid]"},
+      {"distribution", "NAME",
+       "who owns what: balanced, by predicted work; grid, equal voxels  [balanced]"},
       {"shadows", "WHERE",
        "shadow rays: local, objects are fetched; travel, to the objects  [local]"},
       {"memory", "SIZE", "budget of one trace process: 4096, 64K, 12M, 2G; 0: no limit"},

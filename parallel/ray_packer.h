@@ -25,10 +25,11 @@ class RayPacker {
   void AddShadow(ProcessId to, ShadowTravel shadow, Outbox* outbox);
   void AddShadowResult(ProcessId to, const ShadowItem& result, Outbox* outbox);
   // Results of primary rays, to the host.
-  void AddPixel(const PixelItem& pixel, Outbox* outbox);
+  void AddPixel(const PixelItem& pixel, bool hit, Outbox* outbox);
   void AddVoid(uint64_t token, Outbox* outbox);
   void Flush(Outbox* outbox);
   size_t bytes() const;
+  size_t size() const;  // rays and results that are not sent
 
  private:
   struct Rays {

@@ -12,7 +12,8 @@ enum class Schedule : uint8_t {
   kHybrid,        // primary rays on request, secondary rays data parallel [RJ s.3-4]
 };
 enum class Distribution : uint8_t {
-  kGrid,  // equal voxels, one per process [RJ s.2]
+  kGrid,      // equal voxels, one per process [RJ s.2]
+  kBalanced,  // so that each process gets its share of the hits that are predicted
 };
 
 // A shadow ray that must go on in a cell that is not held.

@@ -13,13 +13,13 @@ namespace rayshade::parallel {
 
 // To the owner of the cell in which it halts. The crossings move out of it.
 void TraceProcess::Impl::SendShadow(const ReturnAddress& back, const CellTracer::Shadow& shadow,
-                                    Outbox* outbox) {
+                                    const Color& color, Outbox* outbox) {
   ShadowTravel travel;
   travel.back = back;
   travel.resume = shadow.halt.cell;
-  travel.ray = shadow.shadow->ray;
-  travel.limit = shadow.shadow->limit;
-  travel.color = shadow.shadow->color;
+  travel.ray = *shadow.ray;
+  travel.limit = shadow.limit;
+  travel.color = color;
   if (shadow.crossings != nullptr) travel.crossings = std::move(*shadow.crossings);
   ++statistics.forwarded_rays;
   packer->AddShadow(tree.cell(travel.resume).owner, std::move(travel), outbox);
@@ -41,26 +41,24 @@ void TraceProcess::Impl::On(ProcessId, ShadowTask& message, Outbox*) {
 
 void TraceProcess::Impl::TraceShadowTasks(Outbox* outbox) {
   const size_t count = std::min(kRaysPerStep, shadow_tasks.size());
-  std::vector<ShadowRay> rays(count);
   std::vector<CellTracer::Shadow> some(count);
   for (size_t k = 0; k < count; ++k) {
     ShadowTravel& travel = shadow_tasks[k];
-    rays[k].ray = travel.ray;
-    rays[k].limit = travel.limit;
-    rays[k].color = travel.color;
-    some[k].shadow = &rays[k];
+    some[k].ray = &travel.ray;
+    some[k].limit = travel.limit;
     if (scene->any_transparent) some[k].crossings = &travel.crossings;
     some[k].resume = travel.resume;
   }
   tracer->Shadows(some, &counts);
   for (size_t k = 0; k < count; ++k) {
-    const ReturnAddress& back = shadow_tasks[k].back;
+    ShadowTravel& travel = shadow_tasks[k];
     if (some[k].halt.cell != kNoCell) {
-      SendShadow(back, some[k], outbox);
+      SendShadow(travel.back, some[k], travel.color, outbox);
       continue;
     }
-    const bool arrives = Arrives(&some[k]);
-    packer->AddShadowResult(back.process, {back.token, arrives, rays[k].color}, outbox);
+    const bool arrives = Arrives(some[k].blocked, &travel.crossings, &travel.color);
+    packer->AddShadowResult(travel.back.process, {travel.back.token, arrives, travel.color},
+                            outbox);
   }
   shadow_tasks.erase(shadow_tasks.begin(),
                      shadow_tasks.begin() + static_cast<std::ptrdiff_t>(count));

@@ -2,7 +2,6 @@
 #include "parallel/sim/timing.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "rayshade/common/keyed_random.h"
 
@@ -79,27 +78,6 @@ double MachineTiming::ArrivalTime(ProcessId from, ProcessId to, size_t bytes, do
   const double in_end = std::max(end + machine_.latency, in_begin + n * machine_.gap);
   in_free_[target] = in_begin + n * machine_.gap;
   return in_end;
-}
-
-RandomTiming::RandomTiming(size_t processes, uint64_t seed) : random_(MixBits(seed)) {
-  // One process in four is up to 50 times as slow as the others.
-  for (size_t i = 0; i < processes; ++i)
-    slowness_.push_back(Draw() < 0.25 ? 1 + 50 * Draw() * Draw() : 1);
-  const double kind = Draw();
-  lateness_ = 10 * kind * kind * kind;
-}
-
-double RandomTiming::Draw() {
-  random_ = MixBits(random_);
-  return UnitOf(random_);
-}
-
-double RandomTiming::StepSeconds(ProcessId process, const WorkDone&, const WorkDone&) {
-  return slowness_[process] * (0.01 + Draw());
-}
-
-double RandomTiming::ArrivalTime(ProcessId, ProcessId, size_t, double now) {
-  return now + lateness_ * -std::log(1 - Draw());
 }
 
 }  // namespace rayshade::parallel

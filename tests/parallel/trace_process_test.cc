@@ -90,8 +90,9 @@ TEST_F(RunningProcess, RefusesWhatMakesNoSense) {
   ExpectRefused(CellRequest{CellOf(2)}, "not its own cell");
   ExpectRefused(CellRequest{999999}, "no cell");
   ExpectRefused(CellReply{CellOf(2), {}}, "a cell that was not asked for");
-  ExpectRefused(RayResults{{{4, {}, 1, true}}}, "a result for no intersection");
-  ExpectRefused(PrimaryRays{{{1, 1, 9, false}}}, "a sample that the picture does not have");
+  ExpectRefused(RayResults{{{4, {}, 1}}}, "a result for no intersection");
+  ExpectRefused(PrimaryRays{{TokenOf({1, 1, 9, false})}},
+                "a sample that the picture does not have");
   ExpectRefused(Distributed{}, "distributed twice");
   ExpectRefused(Objects{}, "objects after the distribution");
   ExpectRefused(WorkRequest{}, "not for a trace process");
