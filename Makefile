@@ -7,7 +7,7 @@ BUILD ?= build$(if $(SAN),/san-$(subst $(comma),-,$(SAN)))
 # What the goals need from the system is looked for first (milliseconds), and installed where it is missing.
 GOALS := $(filter-out clean help lint $(BUILD)/%,$(or $(MAKECMDGOALS),all))
 NEEDS := $(if $(GOALS),build) $(if $(filter test seeds deps,$(GOALS)),test) \
-  $(if $(filter deps stability accuracy,$(GOALS)),charts) $(if $(filter deps fuzz,$(GOALS)),fuzz) \
+  $(if $(filter deps stability accuracy table1 figures map,$(GOALS)),charts) $(if $(filter deps fuzz,$(GOALS)),fuzz) \
   $(if $(filter bench-count% deps,$(GOALS)),count)
 ifneq ($(strip $(if $(findstring n,$(firstword -$(MAKEFLAGS))),,$(NEEDS))),)
 ifneq ($(shell sh tests/support/dependencies.sh $(NEEDS) >&2 && echo ready),ready)

@@ -42,10 +42,11 @@ uint64_t BytesPerPrimaryRay(const SceneSpec& scene, Shadows shadows) {
 
 // What a trace process holds beside objects and many rays: the subdivision with its boxes, packs,
 // the first pending intersections, and one ray, to and fro.
-uint64_t BytesBeside(const CellTree& tree, const SceneSpec& scene, ProcessId processes) {
+uint64_t BytesBeside(const CellTree& tree, const SceneSpec& scene, Shadows shadows,
+                     ProcessId processes) {
   return tree.bytes() + tree.size() * (sizeof(Bounds) + 2) + tree.nodes().size() +
          RayPacker(processes).bytes() + PendingIntersections::kLeastBytes +
-         2 * BytesPerPrimaryRay(scene);
+         2 * BytesPerPrimaryRay(scene, shadows);
 }
 
 std::string Bytes(uint64_t n) { return std::to_string(n) + " bytes"; }
@@ -119,8 +120,8 @@ void HostProcess::PlanMemory() {
                                            : std::string("no number of processes would do")));
     }
     const uint64_t free = options_.memory - (needed - spare);
-    const uint64_t rest =
-        free - std::min(free, BytesBeside(tree_, spool_->scene(), options_.processes));
+    const uint64_t rest = free - std::min(free, BytesBeside(tree_, spool_->scene(),
+                                                            options_.shadows, options_.processes));
     options_.resident = std::min(options_.resident, rest / 4);
     options_.cache =
         std::max(spare, std::min(options_.cache == 0 ? rest : options_.cache, rest / 3));
@@ -184,7 +185,8 @@ void HostProcess::On(ProcessId, const ObjectsTaken&, Outbox*) {
 void HostProcess::On(ProcessId from, const Ready& message, Outbox*) {
   probes_[from - 1] = message.probe;
   machines_[from - 1] = message.machine;
-  const uint64_t needed = message.bytes_needed + 2 * BytesPerPrimaryRay(spool_->scene());
+  const uint64_t needed =
+      message.bytes_needed + 2 * BytesPerPrimaryRay(spool_->scene(), options_.shadows);
   if (options_.memory != 0 && needed > options_.memory) {
     Fail("out of memory: trace process " + std::to_string(from) + " needs " + Bytes(needed) +
          " for its objects, --memory allows " + Bytes(options_.memory));

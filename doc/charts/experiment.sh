@@ -29,7 +29,7 @@ room_name() { [ "$1" = own ] && echo "the project's own room" || echo "the confe
 # run NAME SCENE-FILE OPTIONS...: simulates to $out/NAME.json; prints "done", or "o.m." where memory is not enough.
 run() {
   local name=$1 scene=$2; shift 2
-  if "$build/prayshade-sim" -q "$@" --stats "$out/$name.json" -O "$out/$name.png" "$scene" >"$out/$name.log" 2>&1; then
+  if "$build/prayshade-sim" -q --distribution grid "$@" --stats "$out/$name.json" -O "$out/$name.png" "$scene" >"$out/$name.log" 2>&1; then
     echo "done"
   elif grep -q 'out of memory' "$out/$name.log"; then
     echo "o.m."
