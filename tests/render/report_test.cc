@@ -69,7 +69,7 @@ TEST(Report, CountsRaysAndHits) {
   EXPECT_EQ(text.find("not traced"), std::string::npos);
   counts.rays_saved = 1;
   const std::string saving = Written([&](std::FILE* f) {
-    ReportStatistics(counts, {.25, .25}, 1000, f);
+    ReportStatistics(counts, {}, {.25, .25}, 1000, f);
   });
   EXPECT_NE(saving.find("Total rays:\t\t\t4\nRays not traced:\t\t1\n"), std::string::npos);
   EXPECT_NE(text.find("Intersecting rays:\t\t2 (50.000%)\n"), std::string::npos);
