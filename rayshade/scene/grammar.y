@@ -182,7 +182,7 @@ setting:
   | T_OUTFILE filename                            { c->NameOutput($2); }
   | T_REPORT report_verbose report_quiet report_frequency report_file
   | T_DEFINE T_NAME anum                          { c->symbols.Define($2, $3); }
-  | T_PRINT num                                   { c->Print($2); }
+  | T_PRINT any_num                               { c->Print($2); }
   ;
 jitter:
     %empty

@@ -110,8 +110,7 @@ TEST_F(InvariantsOfARun, RequestsAreFewAndAnsweredOnce) {
   ExpectBroken(2, 1, CellReply(), "a cell that was not asked for");
   Send(1, 2, CellRequest{0});
   ExpectBroken(1, 2, CellRequest{0}, "a cell is asked for twice");
-  Send(3, kHost, WorkRequest());
-  Send(3, kHost, WorkRequest());
+  for (int i = 0; i < kRequestsAhead; ++i) Send(3, kHost, WorkRequest());
   ExpectBroken(3, kHost, WorkRequest(), "asks for more work than it may");
 }
 
