@@ -65,11 +65,15 @@ RAYSHADE_KERNEL bool AskNearest(const TraceView& view, Bundle* b, int g, uint32_
 
 RAYSHADE_ROUTINE void NearestInLeafOfBundle(const TraceView& view, Bundle* b, const BundleEntry& e,
                                             Hit* hits) {
+  SeenLeaf leaf;
+  SeeLeaf(view, *b, e.branch, &leaf);
   uint32_t changed = 0;
-  for (uint32_t i = 0; i < CountOf(e.branch); ++i) {
+  for (uint32_t left = leaf.bits; left != 0; left &= left - 1) {
+    const uint32_t i = static_cast<uint32_t>(__builtin_ctz(left));
     const LeafObject o = ObjectOfLeaf(view, e.branch, i);
     for (uint32_t m = e.groups; m != 0; m &= m - 1) {
       const int g = __builtin_ctz(m);
+      if (RaysThatMayMeet(*b, g, leaf, o.kind, i) == 0) continue;
       const Met met = MeetObject(*b, g, o);
       if (met.hit != 0 && TakeNearest(view, b, g, met, o, hits)) changed |= 1u << g;
       if (met.unsure != 0 && AskNearest(view, b, g, met.unsure, o.object, hits)) changed |= 1u << g;
@@ -156,12 +160,16 @@ RAYSHADE_KERNEL Meeting MeetingOf(const TraceView& view, const Bundle& b, int ra
 // Rays that are found blocked leave the bundle.
 RAYSHADE_ROUTINE void BlockInLeafOfBundle(const TraceView& view, Bundle* b, const BundleEntry& e,
                                           const Fate& fate, Counters* counters) {
-  for (uint32_t i = 0; i < CountOf(e.branch); ++i) {
+  SeenLeaf leaf;
+  SeeLeaf(view, *b, e.branch, &leaf);
+  for (uint32_t left = leaf.bits; left != 0; left &= left - 1) {
+    const uint32_t i = static_cast<uint32_t>(__builtin_ctz(left));
     const LeafObject o = ObjectOfLeaf(view, e.branch, i);
     const bool opaque = o.kind == kOtherLeaf || IsOpaque(view, o.object);
     if (!opaque && fate.crossed == nullptr) continue;
     for (uint32_t m = e.groups; m != 0; m &= m - 1) {
       const int g = __builtin_ctz(m);
+      if (RaysThatMayMeet(*b, g, leaf, o.kind, i) == 0) continue;
       const Met met = MeetObject(*b, g, o);
       if ((met.hit | met.unsure) == 0) continue;
       alignas(64) double at[8];

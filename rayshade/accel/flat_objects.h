@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "rayshade/accel/quads.h"
 #include "rayshade/accel/trace_view.h"
 #include "rayshade/geom/polygon.h"
 #include "rayshade/geom/triangle.h"
@@ -35,6 +36,7 @@ struct FlatObjects {
   const FlatTriangle* triangles;
   const FlatPolygon* polygons;
   const Vector* points;
+  const float* quads;  // around triangles and polygons (quads.h), by leaves; of all items
 };
 
 }  // namespace rayshade

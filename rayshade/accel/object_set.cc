@@ -48,6 +48,7 @@ struct ObjectSet::Impl {
   GrowingArray<Node> nodes;
   std::vector<uint32_t> unbounded;
   std::vector<uint8_t> opaque;  // by placement
+  std::vector<float> quads;     // around flat objects (quads.h)
   Bounds bounds;
   OtherObjects others{&objects};
   FlatObjects flat;
@@ -56,6 +57,7 @@ struct ObjectSet::Impl {
 
   void Build();
   void FindOpaque();
+  void MakeQuads();
 };
 
 void ObjectSet::Impl::Build() {
@@ -96,12 +98,30 @@ void ObjectSet::Impl::Build() {
   view.spheres = spheres == 0 ? nullptr : &objects.spheres()[0].x;
   view.sphere_count = spheres;
   flat = objects.flat();
+  MakeQuads();
   view.flat = &flat;
   view.keys = objects.keys().data();
   view.unbounded = unbounded.data();
   view.unbounded_count = static_cast<uint32_t>(unbounded.size());
   view.opaque = opaque.data();
   view.callbacks = OtherObjects::Callbacks();
+}
+
+// Quadrilaterals of all leaves of triangles and polygons.
+void ObjectSet::Impl::MakeQuads() {
+  const uint32_t spheres = objects.sphere_count();
+  // Kernels load eight numbers from the last row.
+  if (objects.size() > spheres) quads.resize(kQuadRows * (objects.size() - spheres) + kLeafSize);
+  for (const Node& node : nodes) {
+    for (const uint64_t branch : node.branch) {
+      if (KindOf(branch) != kTriangleLeaf && KindOf(branch) != kPolygonLeaf) continue;
+      const uint32_t first = ChildOf(branch), count = CountOf(branch);
+      Quad leaf[kLeafSize];
+      for (uint32_t i = 0; i < count; ++i) leaf[i] = objects.QuadAround(first + i, view.center);
+      WriteQuads({leaf, count}, quads.data() + kQuadRows * size_t{first - spheres});
+    }
+  }
+  flat.quads = quads.data();
 }
 
 void ObjectSet::Impl::FindOpaque() {

@@ -28,11 +28,16 @@ struct Bundle {
   alignas(64) double best[kGroups][8];    // the hit so far, or the limit; negative: no such ray
   alignas(64) double strict[kGroups][8];  // hits of strict kinds lie before
   alignas(64) float u_low[8], u_high[8], v_low[8], v_high[8], most[8];  // of each group
+  alignas(64) float ray_u[kGroups][8], ray_v[kGroups][8], ray_most[kGroups][8];  // of each ray
   Slopes<float> whole;
   float w_near, w_far, u_near, u_far, v_near, v_far;  // apex; near: taken off the near plane
   float sign;                                         // of the directions along the axis
   int axis, near_plane, far_plane, u, v;              // planes of nodes; axes
   int groups;
+  bool from_end;
+  bool pointed;     // the apex is a point, and viewpoint is set
+  double apex[3];   // a corner of it
+  Viewpoint viewpoint;
   const Ray* rays;
 
   bool has(int group, int lane) const { return best[group][lane] >= 0; }
@@ -99,10 +104,16 @@ RAYSHADE_KERNEL bool FindAxis(const Bundle& b, int* axis, double* sign) {
   return good == 0xff;
 }
 
-// The group's depth beyond which nothing matters.
+// The depths beyond which nothing matters: of the rays of a group, and of the group.
 RAYSHADE_KERNEL void UpdateMost(Bundle* b, int group) {
   const D8 d = LoadD(b->d[b->axis][group]);
-  b->most[group] = FloatAbove(Largest(LoadD(b->best[group]) * Max(d, SetD(0) - d))) * kSlack;
+  D8 far = LoadD(b->best[group]);
+  // Followed backwards, a ray ends where hits begin to count.
+  if (b->from_end) far = far - LoadD(b->least[group]);
+  const F8 depth = Rounded(far * Max(d, SetD(0) - d));
+  const F8 most = depth + Size(depth) * SetF(2 * (kSlack - 1));
+  Store(most, b->ray_most[group]);
+  b->most[group] = Largest(most);
 }
 
 RAYSHADE_KERNEL void UpdateWholeMost(Bundle* b) {
@@ -120,6 +131,8 @@ RAYSHADE_KERNEL void FindSlopes(Bundle* b, int axis, double sign, double turn) {
     const D8 depth = LoadD(b->d[axis][g]) * SetD(sign);
     const D8 u = LoadD(b->d[b->u][g]) * SetD(turn) / depth;
     const D8 v = LoadD(b->d[b->v][g]) * SetD(turn) / depth;
+    Store(Rounded(u), b->ray_u[g]);
+    Store(Rounded(v), b->ray_v[g]);
     // Slopes are at most 2.3 in size.
     b->u_low[g] = FloatBelow(Least(u)) - 3 * kSlopeSlack;
     b->u_high[g] = FloatAbove(Largest(u)) + 3 * kSlopeSlack;
@@ -132,6 +145,42 @@ RAYSHADE_KERNEL void FindSlopes(Bundle* b, int axis, double sign, double turn) {
     whole.v_high = b->v_high[g] > whole.v_high ? b->v_high[g] : whole.v_high;
   }
   UpdateWholeMost(b);
+}
+
+// size: of the apex.
+RAYSHADE_KERNEL void FindViewpoint(const TraceView& view, const Spread apex[3], double size,
+                                   Bundle* b) {
+  double largest = 0;
+  for (int k = 0; k < 3; ++k) {
+    largest = Larger(largest, Larger(__builtin_fabs(apex[k].low), __builtin_fabs(apex[k].high)));
+  }
+  double far = 0;
+  for (int g = 0; g < b->groups; ++g) {
+    for (int k = 0; k < 3; ++k) {
+      const D8 o = LoadD(b->o[k][g]);
+      far = Larger(far, Largest(Max(o, SetD(0) - o)));
+    }
+  }
+  b->pointed = size <= 1e-12 * Larger(largest, far) && far < kSureDistance;
+  if (!b->pointed) return;
+  Viewpoint& p = b->viewpoint;
+  p.size = 0;
+  for (int k = 0; k < 3; ++k) {
+    b->apex[k] = apex[k].low;
+    p.at[k] = static_cast<float>(apex[k].low - view.center[k]);
+    p.size += __builtin_fabsf(p.at[k]);
+  }
+  p.u = b->u;
+  p.v = b->v;
+  p.w = b->axis;
+  p.sign = b->sign;
+  p.handed = b->axis == 1 ? -b->sign : b->sign;
+  p.loose = static_cast<float>(2 * size + 1e-14 * Larger(largest, far));
+  const Slopes<float>& w = b->whole;
+  const double u = Larger(__builtin_fabsf(w.u_low), __builtin_fabsf(w.u_high));
+  const double v = Larger(__builtin_fabsf(w.v_low), __builtin_fabsf(w.v_high));
+  p.q_sum = FloatAbove(1 + u + v);
+  p.q_size = FloatAbove(__builtin_sqrt(1 + u * u + v * v));
 }
 
 // Puts a pyramid around the rays; false where they are too wide apart to gain from one. best must
@@ -156,6 +205,7 @@ RAYSHADE_ROUTINE bool SurroundRays(const TraceView& view, bool ended, float wide
   b->u = axis == 0 ? 1 : 0;
   b->v = axis == 2 ? 1 : 2;
   b->axis = axis;
+  b->from_end = from_end;
   FindSlopes(b, axis, sign, from_end ? -1 : 1);
   if (from_end) sign = -sign;
   const Slopes<float>& w = b->whole;
@@ -177,6 +227,7 @@ RAYSHADE_ROUTINE bool SurroundRays(const TraceView& view, bool ended, float wide
   b->u_far = low[b->u];
   b->v_near = high[b->v];
   b->v_far = low[b->v];
+  FindViewpoint(view, apex, size, b);
   return true;
 }
 

@@ -18,6 +18,12 @@ RAYSHADE_KERNEL uint32_t LessEqual(F8 a, F8 b) {
   return static_cast<uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)));
 }
 
+RAYSHADE_KERNEL F8 operator/(F8 a, F8 b) { return {_mm256_div_ps(a.v, b.v)}; }
+RAYSHADE_KERNEL F8 Size(F8 a) { return {_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.v)}; }
+RAYSHADE_KERNEL uint32_t Less(F8 a, F8 b) {
+  return static_cast<uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ)));
+}
+
 RAYSHADE_KERNEL D8 LoadD(const double* p) { return {_mm256_loadu_pd(p), _mm256_loadu_pd(p + 4)}; }
 RAYSHADE_KERNEL D8 SetD(double x) { return {_mm256_set1_pd(x), _mm256_set1_pd(x)}; }
 RAYSHADE_KERNEL void Store(D8 a, double* p) {
@@ -76,6 +82,14 @@ RAYSHADE_KERNEL float Least(F8 a) {
   __m128 m = _mm_min_ps(_mm256_castps256_ps128(a.v), _mm256_extractf128_ps(a.v, 1));
   m = _mm_min_ps(m, _mm_movehl_ps(m, m));
   return _mm_cvtss_f32(_mm_min_ss(m, _mm_movehdup_ps(m)));
+}
+RAYSHADE_KERNEL float Largest(F8 a) {
+  __m128 m = _mm_max_ps(_mm256_castps256_ps128(a.v), _mm256_extractf128_ps(a.v, 1));
+  m = _mm_max_ps(m, _mm_movehl_ps(m, m));
+  return _mm_cvtss_f32(_mm_max_ss(m, _mm_movehdup_ps(m)));
+}
+RAYSHADE_KERNEL F8 Rounded(D8 a) {
+  return {_mm256_set_m128(_mm256_cvtpd_ps(a.b), _mm256_cvtpd_ps(a.a))};
 }
 RAYSHADE_KERNEL void Compress(uint32_t mask, F8 a, float* to) {
   alignas(32) float all[8];

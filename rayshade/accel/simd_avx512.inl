@@ -16,6 +16,10 @@ RAYSHADE_KERNEL F8 Min(F8 a, F8 b) { return {_mm256_min_ps(a.v, b.v)}; }
 RAYSHADE_KERNEL F8 Max(F8 a, F8 b) { return {_mm256_max_ps(a.v, b.v)}; }
 RAYSHADE_KERNEL uint32_t LessEqual(F8 a, F8 b) { return _mm256_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ); }
 
+RAYSHADE_KERNEL F8 operator/(F8 a, F8 b) { return {_mm256_div_ps(a.v, b.v)}; }
+RAYSHADE_KERNEL F8 Size(F8 a) { return {_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.v)}; }
+RAYSHADE_KERNEL uint32_t Less(F8 a, F8 b) { return _mm256_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ); }
+
 RAYSHADE_KERNEL D8 LoadD(const double* p) { return {_mm512_loadu_pd(p)}; }
 RAYSHADE_KERNEL D8 SetD(double x) { return {_mm512_set1_pd(x)}; }
 RAYSHADE_KERNEL void Store(D8 a, double* p) { _mm512_storeu_pd(p, a.v); }
@@ -54,6 +58,12 @@ RAYSHADE_KERNEL float Least(F8 a) {
   m = _mm_min_ps(m, _mm_movehl_ps(m, m));
   return _mm_cvtss_f32(_mm_min_ss(m, _mm_movehdup_ps(m)));
 }
+RAYSHADE_KERNEL float Largest(F8 a) {
+  __m128 m = _mm_max_ps(_mm256_castps256_ps128(a.v), _mm256_extractf128_ps(a.v, 1));
+  m = _mm_max_ps(m, _mm_movehl_ps(m, m));
+  return _mm_cvtss_f32(_mm_max_ss(m, _mm_movehdup_ps(m)));
+}
+RAYSHADE_KERNEL F8 Rounded(D8 a) { return {_mm512_maskz_cvtpd_ps(0xff, a.v)}; }
 RAYSHADE_KERNEL void Compress(uint32_t mask, F8 a, float* to) {
   _mm256_storeu_ps(to, _mm256_maskz_compress_ps(static_cast<__mmask8>(mask), a.v));
 }

@@ -48,6 +48,22 @@ RAYSHADE_KERNEL uint32_t LessEqual(F8 a, F8 b) {
   return r;
 }
 
+RAYSHADE_KERNEL F8 operator/(F8 a, F8 b) {
+  F8 r;
+  RAYSHADE_LANES r.v[i] = a.v[i] / b.v[i];
+  return r;
+}
+RAYSHADE_KERNEL F8 Size(F8 a) {
+  F8 r;
+  RAYSHADE_LANES r.v[i] = __builtin_fabsf(a.v[i]);
+  return r;
+}
+RAYSHADE_KERNEL uint32_t Less(F8 a, F8 b) {
+  uint32_t r = 0;
+  RAYSHADE_LANES r |= static_cast<uint32_t>(a.v[i] < b.v[i]) << i;
+  return r;
+}
+
 RAYSHADE_KERNEL D8 LoadD(const double* p) {
   D8 r;
   RAYSHADE_LANES r.v[i] = p[i];
@@ -123,6 +139,16 @@ RAYSHADE_KERNEL F8 Choose(uint32_t mask, F8 a, F8 b) {
 RAYSHADE_KERNEL float Least(F8 a) {
   float r = a.v[0];
   RAYSHADE_LANES r = a.v[i] < r ? a.v[i] : r;
+  return r;
+}
+RAYSHADE_KERNEL float Largest(F8 a) {
+  float r = a.v[0];
+  RAYSHADE_LANES r = a.v[i] > r ? a.v[i] : r;
+  return r;
+}
+RAYSHADE_KERNEL F8 Rounded(D8 a) {
+  F8 r;
+  RAYSHADE_LANES r.v[i] = static_cast<float>(a.v[i]);
   return r;
 }
 // Stores the lanes whose bits are set, one after the other; what lies behind them may change.

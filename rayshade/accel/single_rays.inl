@@ -180,7 +180,10 @@ RAYSHADE_KERNEL void NearestInLeaf(const TraceView& view, const RayWork& w, uint
     NearestInSpheres(view, w, first, static_cast<int>(count), hit);
     return;
   }
-  for (uint32_t i = first; i < first + count; ++i) {
+  uint32_t bits = (1u << count) - 1;
+  if (KindOf(branch) != kOtherLeaf) bits = QuadsOnRay(view, branch, w.o, w.d, Loosened(hit->distance));
+  for (; bits != 0; bits &= bits - 1) {
+    const uint32_t i = first + static_cast<uint32_t>(__builtin_ctz(bits));
     view.callbacks.nearest_other(view.set, *w.ray, i, w.strict_limit, hit);
   }
 }
@@ -201,7 +204,10 @@ RAYSHADE_KERNEL bool LeafBlocks(const TraceView& view, const RayWork& w, uint64_
     CountHit(view, first, counters);
     return true;
   }
-  for (uint32_t i = first; i < first + count; ++i) {
+  uint32_t bits = (1u << count) - 1;
+  if (KindOf(branch) != kOtherLeaf) bits = QuadsOnRay(view, branch, w.o, w.d, Loosened(limit));
+  for (; bits != 0; bits &= bits - 1) {
+    const uint32_t i = first + static_cast<uint32_t>(__builtin_ctz(bits));
     if (!OtherBlocks(view, *w.ray, i, limit, crossed)) continue;
     CountHit(view, i, counters);
     return true;

@@ -293,6 +293,16 @@ Bounds StoredObjects::WorldBox(uint32_t object) const {
   return box;
 }
 
+Quad StoredObjects::QuadAround(uint32_t object, const double center[3]) const {
+  const Item& at = item(object);
+  if (at.kind == kTriangleLeaf) {
+    const TriangleShape& t = triangles_[at.index].shape;
+    return rayshade::QuadAround(t.point, t.normal, t.offset, center);
+  }
+  const FlatPolygon& p = polygons_[at.index];
+  return rayshade::QuadAround(PointsOf(p), p.plane.normal, p.plane.offset, center);
+}
+
 GeomSpec StoredObjects::SpecOf(uint32_t object) const {
   if (is_sphere(object)) return sphere(object);
   const Item& at = item(object);
@@ -310,7 +320,7 @@ GeomSpec StoredObjects::SpecOf(uint32_t object) const {
 }
 
 FlatObjects StoredObjects::flat() const {
-  return {items_.data(), triangles_.data(), polygons_.data(), points_.data()};
+  return {items_.data(), triangles_.data(), polygons_.data(), points_.data(), nullptr};
 }
 
 size_t StoredObjects::bytes() const {

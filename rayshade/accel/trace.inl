@@ -2,8 +2,10 @@
 // simd_*.inl; nothing here may depend on more than that and on trace_view.h.
 // Each builds on those before:
 // clang-format off
+#include "rayshade/accel/quads.inl"
 #include "rayshade/accel/single_rays.inl"
 #include "rayshade/accel/pyramid.inl"
+#include "rayshade/accel/filter.inl"
 #include "rayshade/accel/flat_kinds.inl"
 #include "rayshade/accel/bundles.inl"
 // clang-format on

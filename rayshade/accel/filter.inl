@@ -1,0 +1,97 @@
+// Bundles look at the objects of a leaf in single precision before they test them: most can be left
+// out for all rays at once, others ray by ray for a few operations; part of trace.inl. Only bundles
+// that are pointed do: their rays pass through a common apex (quads.inl, invariants 1 and 2). There
+// a sphere lies inside of a circle in the plane of slopes.
+
+// Spheres, one a lane: circles among the slopes.
+struct SeenSpheres {
+  F8 u, v, radius;
+  F8 nearest;       // depth
+  uint32_t around;  // bits of those that are not left out: the apex is too near
+};
+
+RAYSHADE_KERNEL SeenSpheres SeeSpheres(const TraceView& view, uint64_t branch, const Viewpoint& p,
+                                       const double apex[3]) {
+  const uint32_t count = CountOf(branch);
+  const double* rows = view.spheres + 4 * static_cast<size_t>(ChildOf(branch));
+  const auto along = [&](int axis) {
+    return Rounded(LoadD(rows + static_cast<uint32_t>(axis) * count) - SetD(apex[axis]));
+  };
+  const F8 w = along(p.w) * SetF(p.sign);
+  const F8 radius = Rounded(LoadD(rows + 3 * count)) * SetF(1.00001f) + SetF(2 * p.loose);
+  const F8 inverse = SetF(1) / w;
+  SeenSpheres s;
+  s.u = along(p.u) * inverse;
+  s.v = along(p.v) * inverse;
+  // In the plane of this depth, a ray that meets the sphere is not farther from its center than
+  // radius / cos of the ray's angle with the axis.
+  s.radius = radius * SetF(p.q_size) * inverse + SetF(2e-6f);
+  s.nearest = (w - radius) * SetF(2 - kSlack);
+  s.around = ~Less(radius * SetF(1.0001f), w) & 0xff;
+  return s;
+}
+
+RAYSHADE_KERNEL uint32_t SpheresInPyramid(const SeenSpheres& s, const Corner& c, float most) {
+  const uint32_t out = Less(s.u + s.radius, c.u_low) | Less(c.u_high, s.u - s.radius) |
+                       Less(s.v + s.radius, c.v_low) | Less(c.v_high, s.v - s.radius) |
+                       Less(SetF(most), s.nearest);
+  return s.around | (~out & 0xff);
+}
+
+// The objects of a leaf as the rays of a bundle see them: lanes in memory, to be read one by one.
+struct SeenLeaf {
+  bool known;     // else nothing may be left out
+  uint32_t bits;  // objects that some ray may meet
+  uint32_t around;
+  alignas(32) float part[18][8];
+};
+
+RAYSHADE_KERNEL void SeeLeaf(const TraceView& view, const Bundle& b, uint64_t branch,
+                             SeenLeaf* leaf) {
+  const LeafKind kind = KindOf(branch);
+  leaf->bits = (1u << CountOf(branch)) - 1;
+  leaf->known = b.pointed && kind != kOtherLeaf;
+  if (!leaf->known) return;
+  const Slopes<float>& w = b.whole;
+  const Corner corner = {SetF(w.u_low), SetF(w.u_high), SetF(w.v_low), SetF(w.v_high)};
+  if (kind == kSphereLeaf) {
+    const SeenSpheres s = SeeSpheres(view, branch, b.viewpoint, b.apex);
+    leaf->bits &= SpheresInPyramid(s, corner, w.most);
+    if (leaf->bits == 0) return;
+    leaf->around = s.around;
+    Store(s.u, leaf->part[0]);
+    Store(s.v, leaf->part[1]);
+    Store(s.radius, leaf->part[2]);
+    Store(s.radius * s.radius * SetF(1.00001f), leaf->part[3]);
+    Store(s.nearest, leaf->part[4]);
+    return;
+  }
+  const SeenQuads s = SeeQuads(view, branch, b.viewpoint);
+  leaf->bits &= QuadsInPyramid(s, b.viewpoint, corner, w.most);
+  if (leaf->bits == 0) return;
+  for (int i = 0; i < 4; ++i) {
+    for (int k = 0; k < 3; ++k) Store(s.edge[i][k], leaf->part[3 * i + k]);
+  }
+  for (int k = 0; k < 3; ++k) Store(s.plane[k], leaf->part[12 + k]);
+  Store(s.least, leaf->part[15]);
+  Store(s.height, leaf->part[16]);
+  Store(s.height_margin, leaf->part[17]);
+}
+
+// The rays of a group that may meet an object: bits.
+RAYSHADE_KERNEL uint32_t RaysThatMayMeet(const Bundle& b, int g, const SeenLeaf& leaf,
+                                         LeafKind kind, uint32_t i) {
+  if (!leaf.known) return 0xff;
+  const F8 u = LoadF(b.ray_u[g]), v = LoadF(b.ray_v[g]), depth = LoadF(b.ray_most[g]);
+  const auto part = [&](int k) { return SetF(leaf.part[k][i]); };
+  if (kind == kSphereLeaf) {
+    if ((leaf.around >> i & 1) != 0) return 0xff;
+    const F8 du = u - part(0), dv = v - part(1);
+    return ~(Less(part(3), du * du + dv * dv) | Less(depth, part(4))) & 0xff;
+  }
+  const F8 least = part(15);
+  const auto at = [&](int k) { return part(k) * u + part(k + 1) * v + part(k + 2); };
+  const F8 edges = Min(Min(at(0), at(3)), Min(at(6), at(9)));
+  const F8 reached = HeightReached(at(12), depth, part(17), b.viewpoint.q_sum);
+  return ~(Less(edges, least) | Less(reached, part(16))) & 0xff;
+}

@@ -1,0 +1,34 @@
+// A quadrilateral for each triangle and polygon that contains it, in single precision: what the
+// kernels look at before they test the object itself (filter.inl).
+//
+//   1. Every line that an object's own test counts as a hit passes through its quadrilateral, but
+//   for the margins of filter.inl, which know how far points are off the plane.
+//   2. A leaf's quadrilaterals lie as rows: 12 rows of corners (x, y, z of each), three of the
+//   normal, one of the offset, one of how far points are off the plane (infinite: nothing is known
+//   about the object), one of the diameter.
+//   3. Corners run around the normal the same way in all of them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rayshade/common/vector.h"
+
+namespace rayshade {
+
+inline constexpr int kQuadRows = 18;
+
+// Relative to the hierarchy's center.
+struct Quad {
+  float row[kQuadRows];
+};
+
+// points: of a triangle or polygon with this plane.
+Quad QuadAround(std::span<const Vector> points, const Vector& normal, double offset,
+                const double center[3]);
+
+// Writes the quadrilaterals of a leaf as rows.
+void WriteQuads(std::span<const Quad> quads, float* rows);
+
+}  // namespace rayshade
