@@ -8,6 +8,7 @@
 
 #include "parallel/object_spool.h"
 #include "parallel/sim/fault_plan.h"
+#include "parallel/work_queue.h"
 #include "tests/support/parallel_run.h"
 #include "tests/support/scenes.h"
 
