@@ -17,7 +17,8 @@ struct Counters {
 
 // GeomSpec::index() of an object.
 RAYSHADE_KERNEL uint32_t GeomOf(const TraceView& view, uint32_t object) {
-  return object < view.sphere_count ? kSphereGeom : view.flat->items[object - view.sphere_count].geom;
+  return object < view.sphere_count ? kSphereGeom
+                                    : view.flat->items[object - view.sphere_count].geom;
 }
 
 // So many rays are tested against each object of a leaf.
@@ -173,6 +174,11 @@ RAYSHADE_KERNEL bool SpheresBlock(const TraceView& view, const RayWork& w, uint3
   return false;
 }
 
+// A ray whose direction is no number comes to empty slots, too.
+RAYSHADE_KERNEL bool HasQuads(uint64_t branch) {
+  return KindOf(branch) == kTriangleLeaf || KindOf(branch) == kPolygonLeaf;
+}
+
 RAYSHADE_KERNEL void NearestInLeaf(const TraceView& view, const RayWork& w, uint64_t branch,
                                    Hit* hit) {
   const uint32_t first = ChildOf(branch), count = CountOf(branch);
@@ -181,7 +187,7 @@ RAYSHADE_KERNEL void NearestInLeaf(const TraceView& view, const RayWork& w, uint
     return;
   }
   uint32_t bits = (1u << count) - 1;
-  if (KindOf(branch) != kOtherLeaf) bits = QuadsOnRay(view, branch, w.o, w.d, Loosened(hit->distance));
+  if (HasQuads(branch)) bits = QuadsOnRay(view, branch, w.o, w.d, Loosened(hit->distance));
   for (; bits != 0; bits &= bits - 1) {
     const uint32_t i = first + static_cast<uint32_t>(__builtin_ctz(bits));
     view.callbacks.nearest_other(view.set, *w.ray, i, w.strict_limit, hit);
@@ -205,7 +211,7 @@ RAYSHADE_KERNEL bool LeafBlocks(const TraceView& view, const RayWork& w, uint64_
     return true;
   }
   uint32_t bits = (1u << count) - 1;
-  if (KindOf(branch) != kOtherLeaf) bits = QuadsOnRay(view, branch, w.o, w.d, Loosened(limit));
+  if (HasQuads(branch)) bits = QuadsOnRay(view, branch, w.o, w.d, Loosened(limit));
   for (; bits != 0; bits &= bits - 1) {
     const uint32_t i = first + static_cast<uint32_t>(__builtin_ctz(bits));
     if (!OtherBlocks(view, *w.ray, i, limit, crossed)) continue;
@@ -251,7 +257,8 @@ RAYSHADE_ROUTINE void NearestOfOne(const TraceView& view, const Ray& ray, double
         // The nearest child is next, the others wait.
         const F8 met = Choose(bits, entries, SetF(__builtin_inff()));
         const uint32_t nearest = LessEqual(met, SetF(Least(met)));
-        const uint32_t i = static_cast<uint32_t>(__builtin_ctz(nearest));
+        // None is the nearest where the ray's direction is no number.
+        const uint32_t i = static_cast<uint32_t>(__builtin_ctz(nearest != 0 ? nearest : bits));
         branch = node.branch[i];
         bits &= ~(1u << i);
         Compress(bits, entries, stack.entry + top);
