@@ -39,14 +39,6 @@ TESTS := $(sort $(wildcard tests/*/*_test.cc tests/*/*/*_test.cc tests/support/*
 TEST_FILTER ?= *
 
 object = $(patsubst %.cc,$(OBJ)/%.o,$(1))
-# The texts of the simulated machines become a part of prayshade-sim.
-MACHINES := $(wildcard parallel/sim/machines/*.machine)
-$(GEN)/parallel/sim/machines.cc: $(MACHINES) Makefile
-	@mkdir -p $(@D)
-	@{ echo '#include "parallel/sim/machine.h"'; echo 'namespace rayshade::parallel {'; \
-	  echo 'static const BuiltInMachine kMachines[] = {'; \
-	  for m in $(MACHINES); do printf '{"%s", R"text(' "$$(basename $$m .machine)"; cat $$m; echo ')text"},'; done; \
-	  echo '};'; echo 'std::span<const BuiltInMachine> BuiltInMachines() { return kMachines; }'; echo '}'; } > $@
 CORE_LIB := $(BUILD)/librayshade.a
 PARALLEL_LIB := $(BUILD)/libparallel.a
 PVM_LIB := $(BUILD)/libparallel_pvm.a
@@ -81,6 +73,15 @@ help:
 
 deps:
 	@echo "Nothing is missing."
+
+# The texts of the simulated machines become a part of prayshade-sim.
+MACHINES := $(wildcard parallel/sim/machines/*.machine)
+$(GEN)/parallel/sim/machines.cc: $(MACHINES) Makefile
+	@mkdir -p $(@D)
+	@{ echo '#include "parallel/sim/machine.h"'; echo 'namespace rayshade::parallel {'; \
+	  echo 'static const BuiltInMachine kMachines[] = {'; \
+	  for m in $(MACHINES); do printf '{"%s", R"text(' "$$(basename $$m .machine)"; cat $$m; echo ')text"},'; done; \
+	  echo '};'; echo 'std::span<const BuiltInMachine> BuiltInMachines() { return kMachines; }'; echo '}'; } > $@
 
 # Generated parser; its own warnings are not ours.
 $(GEN)/rayshade/scene/grammar.cc $(GEN)/rayshade/scene/grammar.h &: rayshade/scene/grammar.y
