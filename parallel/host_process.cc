@@ -80,11 +80,12 @@ HostProcess::HostProcess(const RunOptions& options, ObjectSpool* spool, int fram
 
 HostProcess::~HostProcess() = default;
 
-// Every process gets its part of the work; of the bytes, where it could not hold that.
+// Every process gets its part of the work; of the bytes, where that would take more than half of a
+// process's memory: caches, rays and the building of the hierarchy need the rest.
 void HostProcess::Balance() {
   const std::vector<double> hits = PredictHits(*camera_, tree_, spool_);
   ShareOut(WorkByCell(hits, tree_), options_.processes, &tree_);
-  if (options_.memory != 0 && FullestProcess().second > options_.memory) {
+  if (options_.memory != 0 && FullestProcess().second > options_.memory / 2) {
     ShareOut(BytesByCell(tree_), options_.processes, &tree_);
   }
 }
