@@ -2,6 +2,7 @@
 // most kIntervals equal intervals whose length doubles as the run gets longer.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 

@@ -27,15 +27,21 @@ CellTracer::CellTracer(const Scene* scene, const CellTree* tree, ProcessId self,
   }
   const auto& nodes = tree->nodes();
   all_owned_.resize(nodes.size());
+  owners_.resize(nodes.size());
   for (size_t i = nodes.size(); i-- > 0;) {  // children come after their parents
     const CellNode& n = nodes[i];
     all_owned_[i] = n.axis == 3 ? owned_[n.low] : all_owned_[n.low] && all_owned_[n.high];
+    if (n.axis == 3) {
+      owners_[i] = tree->cell(n.low).owner;
+    } else {
+      owners_[i] = owners_[n.low] == owners_[n.high] ? owners_[n.low] : kHost;
+    }
   }
 }
 
 size_t CellTracer::bytes() const {
   return tree_->bytes() + owned_.capacity() + all_owned_.capacity() +
-         boxes_.capacity() * sizeof(Bounds);
+         owners_.capacity() * sizeof(ProcessId) + boxes_.capacity() * sizeof(Bounds);
 }
 
 // Is the cell before the one in which the ray resumes, in the ray's order?
@@ -104,7 +110,7 @@ void CellTracer::NearestByClipList(const Pyramid& pyramid, std::span<const Ray> 
     some_.clear();
     some_rays_.clear();
     some_hits_.clear();
-    const ObjectSet* set = cache_->Find(clipped.cell);
+    const ObjectSet* set = Searched(clipped.cell);
     for (size_t i = 0; i < rays.size(); ++i) {
       if (clipped.entry > hits[i].distance) continue;
       const RayInterval interval =
@@ -137,7 +143,7 @@ void CellTracer::NearestByWalk(const Ray& ray, const Travel& travel, Hit* hit, H
       [&](CellId cell, const RayInterval& interval) {
         if (interval.entry > hit->distance) return false;
         if (Before(interval, cell, ray, travel.resume)) return true;
-        const ObjectSet* set = cache_->Find(cell);
+        const ObjectSet* set = Searched(cell);
         if (set == nullptr) {
           ++cache_misses_;
           *halt = {cell, interval.entry};
@@ -173,24 +179,30 @@ Hit CellTracer::Locate(const Ray& ray, double distance, Rank rank, OpCounts* cou
   return hit;
 }
 
-void CellTracer::LocateAll(std::span<const Ray> rays, std::span<const Travel> travel,
-                           std::span<Hit> hits, OpCounts* counts) {
-  // Ray by ray: alone, each visits only what lies at the place of its hit; a bundle would visit all
-  // that is in front of it.
-  for (size_t i = 0; i < rays.size(); ++i) {
-    const double distance = travel[i].best_distance;
-    const Rank rank = travel[i].best_rank;
-    Ray ray = rays[i];
-    ray.min_distance = std::max(ray.min_distance, distance * (1 - kLocateWindow));
-    hits[i] = Hit();
-    hits[i].distance = distance;
-    hits[i].rank = rank + 1;  // the hit itself is the only one that comes before this
-    own_->Nearest({&ray, 1}, {&hits[i], 1}, counts);
-    if (hits[i].distance == distance && hits[i].rank == rank) continue;
-    // A kind whose arithmetic depends on where the search begins: once more from there.
-    hits[i] = Locate(rays[i], distance, rank, counts);
-    CHECK(hits[i].set != nullptr);
+Hit CellTracer::LocateHeld(const Ray& ray, double distance, Rank rank, OpCounts* counts) {
+  // Alone, the ray visits only what lies at the place of its hit.
+  Ray near = ray;
+  near.min_distance = std::max(ray.min_distance, distance * (1 - kLocateWindow));
+  Hit hit;
+  hit.distance = distance;
+  hit.rank = rank + 1;  // the hit itself is the only one that comes before this
+  own_->Nearest({&near, 1}, {&hit, 1}, counts);
+  if (hit.distance == distance && hit.rank == rank) return hit;
+  // A kind whose arithmetic depends on where the search begins: once more from there.
+  hit = Locate(ray, distance, rank, counts);
+  CHECK(hit.set != nullptr);
+  return hit;
+}
+
+ProcessId CellTracer::OwnerAt(const Ray& ray, double distance) const {
+  const Vector point = ray.origin + distance * ray.direction;
+  if (!tree_->bounds().Contains(point)) return kHost;
+  uint32_t node = 0;
+  while (owners_[node] == kHost) {
+    const CellNode& n = tree_->nodes()[node];
+    node = point[n.axis] < n.plane ? n.low : n.high;
   }
+  return owners_[node];
 }
 
 // The shadow rays against one set: the opaque objects in it block, the transparent ones are noted.
@@ -199,8 +211,8 @@ void CellTracer::Cross(const ObjectSet& set, std::span<Shadow*> shadows, OpCount
   limits_.clear();
   blocked_.assign(shadows.size(), 0);
   for (const Shadow* s : shadows) {
-    some_rays_.push_back(s->shadow->ray);
-    limits_.push_back(s->shadow->limit);
+    some_rays_.push_back(*s->ray);
+    limits_.push_back(s->limit);
   }
   crossed_.assign(scene_->any_transparent ? shadows.size() : 0, 0);
   set.Block(some_rays_, limits_, blocked_, crossed_, counts);
@@ -208,7 +220,7 @@ void CellTracer::Cross(const ObjectSet& set, std::span<Shadow*> shadows, OpCount
     Shadow& s = *shadows[i];
     s.blocked = blocked_[i] != 0;
     if (!s.blocked && s.crossings != nullptr && crossed_[i]) {
-      CollectCrossings(*scene_, set, s.shadow->ray, s.shadow->limit, s.crossings, counts);
+      CollectCrossings(*scene_, set, *s.ray, s.limit, s.crossings, counts);
     }
   }
 }
@@ -226,8 +238,8 @@ void CellTracer::Shadows(std::span<Shadow> shadows, OpCounts* counts) {
   for (Shadow& s : shadows) {
     if (s.blocked) continue;
     active.push_back(&s);
-    pyramid.origins.Include(s.shadow->ray.origin);
-    pyramid.directions.Include(s.shadow->ray.direction);
+    pyramid.origins.Include(s.ray->origin);
+    pyramid.directions.Include(s.ray->direction);
   }
   if (active.size() >= 8 && pyramid.narrow()) {
     ShadowsByClipList(pyramid, active, counts);
@@ -242,7 +254,7 @@ void CellTracer::Shadows(std::span<Shadow> shadows, OpCounts* counts) {
 void CellTracer::ShadowsByClipList(const Pyramid& pyramid, std::span<Shadow*> shadows,
                                    OpCounts* counts) {
   double limit = 0;
-  for (const Shadow* s : shadows) limit = std::max(limit, s->shadow->limit);
+  for (const Shadow* s : shadows) limit = std::max(limit, s->limit);
   const auto skip = [this](uint32_t node) { return all_owned_[node] != 0; };
   std::vector<Shadow*> here;
   for (const ClippedCell& clipped : PyraClip(*tree_, pyramid, limit, skip)) {
@@ -251,9 +263,9 @@ void CellTracer::ShadowsByClipList(const Pyramid& pyramid, std::span<Shadow*> sh
     const ObjectSet* set = cache_->Find(clipped.cell);
     for (Shadow* s : shadows) {
       if (s->blocked) continue;
-      const Ray& ray = s->shadow->ray;
+      const Ray& ray = *s->ray;
       const RayInterval interval = Intersect(boxes_[clipped.cell], ray.origin, ray.direction);
-      if (interval.empty() || interval.exit < 0 || interval.entry > s->shadow->limit ||
+      if (interval.empty() || interval.exit < 0 || interval.entry > s->limit ||
           Before(interval, clipped.cell, ray, s->resume)) {
         continue;
       }
@@ -273,9 +285,9 @@ void CellTracer::ShadowsByClipList(const Pyramid& pyramid, std::span<Shadow*> sh
 
 void CellTracer::ShadowByWalk(Shadow* shadow, OpCounts* counts) {
   Walk(
-      shadow->shadow->ray, shadow->shadow->limit,
+      *shadow->ray, shadow->limit,
       [&](CellId cell, const RayInterval& interval) {
-        if (Before(interval, cell, shadow->shadow->ray, shadow->resume)) return true;
+        if (Before(interval, cell, *shadow->ray, shadow->resume)) return true;
         const ObjectSet* set = cache_->Find(cell);
         if (set == nullptr) {
           ++cache_misses_;

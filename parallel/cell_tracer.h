@@ -37,8 +37,12 @@ class CellTracer {
   CellTracer(const Scene* scene, const CellTree* tree, ProcessId self, const ObjectSet* own,
              ObjectCache* cache);
 
+  // Whether Nearest looks at cached cells (Shadows always does); as made, it does.
+  void set_searches_cache(bool on) { searches_cache_ = on; }
+
   // Held for good: own or resident.
   bool owns(CellId cell) const { return owned_[cell]; }
+  bool owns_all() const { return all_owned_[0]; }
   bool holds(CellId cell) const { return owned_[cell] || cache_->Holds(cell); }
 
   // Nearest hits. travel[i]: where ray i resumes and its best hit so far, which hits[i] starts
@@ -49,7 +53,8 @@ class CellTracer {
 
   // A shadow ray on its way: blocked, or what it has crossed so far.
   struct Shadow {
-    ShadowRay* shadow = nullptr;
+    const Ray* ray = nullptr;
+    double limit = 0;
     std::vector<ShadowCrossing>* crossings =
         nullptr;  // null unless the scene has transparent surfaces
     CellId resume = kNoCell;
@@ -64,10 +69,11 @@ class CellTracer {
   // lies; set is null where that cell is not held.
   Hit Locate(const Ray& ray, double distance, Rank rank, OpCounts* counts);
 
-  // The same for hits that are known to be on objects held here: hits[i] for travel[i]'s best hit.
-  // CHECKs that they are.
-  void LocateAll(std::span<const Ray> rays, std::span<const Travel> travel, std::span<Hit> hits,
-                 OpCounts* counts);
+  // The same for a hit that is known to be on an object held here. CHECKs that it is.
+  Hit LocateHeld(const Ray& ray, double distance, Rank rank, OpCounts* counts);
+
+  // The owner of the place of a hit; kHost outside of the subdivision.
+  ProcessId OwnerAt(const Ray& ray, double distance) const;
 
   const Bounds& box(CellId cell) const { return boxes_[cell]; }
   uint64_t cache_hits() const { return cache_hits_; }
@@ -86,6 +92,7 @@ class CellTracer {
                          std::span<const Travel> travel, std::span<Hit> hits, std::span<Halt> halts,
                          OpCounts* counts);
   void NearestByWalk(const Ray& ray, const Travel& travel, Hit* hit, Halt* halt, OpCounts* counts);
+  const ObjectSet* Searched(CellId cell) { return searches_cache_ ? cache_->Find(cell) : nullptr; }
   void Cross(const ObjectSet& set, std::span<Shadow*> shadows, OpCounts* counts);
   void ShadowsByClipList(const Pyramid& pyramid, std::span<Shadow*> shadows, OpCounts* counts);
   void ShadowByWalk(Shadow* shadow, OpCounts* counts);
@@ -94,8 +101,10 @@ class CellTracer {
   const CellTree* tree_;
   const ObjectSet* own_;
   ObjectCache* cache_;
+  bool searches_cache_ = true;
   std::vector<uint8_t> owned_;      // by cell
   std::vector<uint8_t> all_owned_;  // by node: nothing below is foreign
+  std::vector<ProcessId> owners_;   // by node: of all cells below; kHost where they differ
   std::vector<Bounds> boxes_;       // by cell
   uint64_t cache_hits_ = 0, cache_misses_ = 0;
   // Scratch, to spare allocations.

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "parallel/balanced_distribution.h"
 #include "parallel/pending_intersections.h"
 #include "parallel/primary_feed.h"
 #include "parallel/trace_impl.h"
@@ -31,11 +32,21 @@ constexpr int kObjectsPerStep = 1024;
 // What one primary ray can occupy at once in all processes together: a pending intersection per
 // level, and a ray on its way or an intersection that waits for the cells of its shadow rays
 // (trace_process.h, invariant 2).
-uint64_t BytesPerPrimaryRay(const SceneSpec& scene) {
+uint64_t BytesPerPrimaryRay(const SceneSpec& scene, Shadows shadows) {
   const uint64_t levels = static_cast<uint64_t>(scene.settings.max_depth) + 1;
   return levels * sizeof(PendingIntersection) + sizeof(WaitingShade) + sizeof(Ray) +
          sizeof(Travel) +
-         (scene.lights.size() + 1) * (sizeof(ShadowRay) + sizeof(std::vector<ShadowCrossing>) + 16);
+         (scene.lights.size() + 1) * (sizeof(ShadowRay) + sizeof(std::vector<ShadowCrossing>) + 16 +
+                                      (shadows == Shadows::kTravel ? sizeof(ShadowTravel) : 0));
+}
+
+// What a trace process holds beside objects and many rays: the subdivision with its boxes, packs,
+// the first pending intersections, and one ray, to and fro.
+uint64_t BytesBeside(const CellTree& tree, const SceneSpec& scene, Shadows shadows,
+                     ProcessId processes) {
+  return tree.bytes() + tree.size() * (sizeof(Bounds) + 2) + tree.nodes().size() +
+         RayPacker(processes).bytes() + PendingIntersections::kLeastBytes +
+         2 * BytesPerPrimaryRay(scene, shadows);
 }
 
 std::string Bytes(uint64_t n) { return std::to_string(n) + " bytes"; }
@@ -55,6 +66,7 @@ HostProcess::HostProcess(const RunOptions& options, ObjectSpool* spool, int fram
   sampling_ = std::make_unique<PixelSampling>(settings, *camera_, /*ahead=*/true);
   if (options_.schedule == Schedule::kDataParallel) options_.resident = 0;
   tree_ = BuildTree(options_, spool);
+  if (options_.distribution == Distribution::kBalanced) Balance();
   PlanMemory();
   const size_t pyramid =
       std::clamp<size_t>(in_flight_limit_ / (2 * options_.processes), 1, options_.pyramid);
@@ -68,41 +80,64 @@ HostProcess::HostProcess(const RunOptions& options, ObjectSpool* spool, int fram
 
 HostProcess::~HostProcess() = default;
 
-// Shares the memory of a process out: its own objects come first, the rest goes to resident set,
-// cache and rays.
-void HostProcess::PlanMemory() {
+// Every process gets its part of the work; of the bytes, where that would take more than half of a
+// process's memory: caches, rays and the building of the hierarchy need the rest.
+void HostProcess::Balance() {
+  const std::vector<double> hits = PredictHits(*camera_, tree_, spool_);
+  ShareOut(WorkByCell(hits, tree_), options_.processes, &tree_);
+  if (options_.memory != 0 && FullestProcess().second > options_.memory / 2) {
+    ShareOut(BytesByCell(tree_), options_.processes, &tree_);
+  }
+}
+
+// The process that needs most memory for its objects and the two largest cells of others, and how
+// much that is.
+std::pair<ProcessId, uint64_t> HostProcess::FullestProcess() const {
+  const auto held = BytesHeld(options_, tree_, spool_);
+  const auto fullest = std::max_element(held.begin(), held.end());
+  return {static_cast<ProcessId>(fullest - held.begin() + 1), *fullest + SpareBytes()};
+}
+
+uint64_t HostProcess::SpareBytes() const {
   uint64_t largest_cell = 0;
   for (CellId c = 0; c < tree_.size(); ++c)
     largest_cell = std::max(largest_cell, tree_.cell(c).bytes);
+  return options_.processes > 1 ? 2 * largest_cell : 0;
+}
+
+// Shares the memory of a process out: its own objects come first, the rest goes to resident set,
+// cache and rays.
+void HostProcess::PlanMemory() {
+  const uint64_t spare = SpareBytes();
   uint64_t for_rays = 0;
   if (options_.memory != 0) {
-    const auto held = BytesHeld(options_, tree_, spool_);
-    const auto fullest = std::max_element(held.begin(), held.end());
-    const uint64_t spare = options_.processes > 1 ? 2 * largest_cell : 0;
-    if (*fullest + spare > options_.memory) {
+    const auto [process, needed] = FullestProcess();
+    if (needed > options_.memory) {
       const int enough = ProcessesThatWouldDo(options_.memory, spare, spool_);
-      throw std::runtime_error("out of memory: trace process " +
-                               std::to_string(fullest - held.begin() + 1) + " needs " +
-                               Bytes(*fullest + spare) + " for its objects, --memory allows " +
+      throw std::runtime_error("out of memory: trace process " + std::to_string(process) +
+                               " needs " + Bytes(needed) + " for its objects, --memory allows " +
                                Bytes(options_.memory) + "; " +
                                (enough > 0 ? std::to_string(enough) + " processes would do"
                                            : std::string("no number of processes would do")));
     }
-    const uint64_t rest = options_.memory - *fullest;
+    const uint64_t free = options_.memory - (needed - spare);
+    const uint64_t rest = free - std::min(free, BytesBeside(tree_, spool_->scene(),
+                                                            options_.shadows, options_.processes));
     options_.resident = std::min(options_.resident, rest / 4);
     options_.cache =
         std::max(spare, std::min(options_.cache == 0 ? rest : options_.cache, rest / 3));
     for_rays = (rest - std::min(rest, options_.resident + options_.cache)) / 2;
   } else if (options_.cache != 0) {
-    options_.cache = std::max(options_.cache, 2 * largest_cell);
+    options_.cache = std::max(options_.cache, SpareBytes());
   }
   ChooseResidentSet(camera_->eye(), options_.resident, &tree_);
   // Rays wait where their voxels are: enough of them that processes with little data do not run dry
   // meanwhile.
   const uint64_t plenty =
       uint64_t{32} * options_.processes * std::max<uint32_t>(options_.pyramid, 256);
-  const uint64_t allowed =
-      options_.memory == 0 ? plenty : for_rays / BytesPerPrimaryRay(spool_->scene());
+  const uint64_t allowed = options_.memory == 0
+                               ? plenty
+                               : for_rays / BytesPerPrimaryRay(spool_->scene(), options_.shadows);
   in_flight_limit_ = static_cast<uint32_t>(std::clamp<uint64_t>(allowed, 1, plenty));
   if (options_.rays_in_flight != 0) in_flight_limit_ = options_.rays_in_flight;
 }
@@ -151,10 +186,11 @@ void HostProcess::On(ProcessId, const ObjectsTaken&, Outbox*) {
 void HostProcess::On(ProcessId from, const Ready& message, Outbox*) {
   probes_[from - 1] = message.probe;
   machines_[from - 1] = message.machine;
-  if (options_.memory != 0 && message.bytes_needed > options_.memory) {
-    Fail("out of memory: trace process " + std::to_string(from) + " needs " +
-         Bytes(message.bytes_needed) + " for its objects, --memory allows " +
-         Bytes(options_.memory));
+  const uint64_t needed =
+      message.bytes_needed + 2 * BytesPerPrimaryRay(spool_->scene(), options_.shadows);
+  if (options_.memory != 0 && needed > options_.memory) {
+    Fail("out of memory: trace process " + std::to_string(from) + " needs " + Bytes(needed) +
+         " for its objects, --memory allows " + Bytes(options_.memory));
   }
   if (++ready_ < options_.processes || finished()) return;
   for (int p = 1; p < options_.processes; ++p) {
@@ -170,18 +206,20 @@ void HostProcess::On(ProcessId from, const Ready& message, Outbox*) {
 void HostProcess::On(ProcessId from, const WorkRequest&, Outbox*) { feed_->OnRequest(from); }
 
 void HostProcess::On(ProcessId, const PixelResults& message, Outbox*) {
-  const size_t count = message.voids.size() + message.results.size();
+  const size_t count = message.voids.size() + message.misses.size() + message.hits.size();
   if (count > in_flight_) throw WireError("more results than rays");
-  const int samples = spool_->scene().settings.samples;
-  for (uint64_t token : message.voids) CheckSample(SampleOf(token), *camera_, samples);
-  for (const PixelItem& i : message.results) CheckSample(SampleOf(i.token), *camera_, samples);
+  const Settings& settings = spool_->scene().settings;
+  for (uint64_t t : message.voids) CheckSample(SampleOf(t), *camera_, settings.samples);
+  for (const auto* items : {&message.misses, &message.hits}) {
+    for (const PixelItem& i : *items) CheckSample(SampleOf(i.token), *camera_, settings.samples);
+  }
   in_flight_ -= count;
   samples_done_ += count;
-  const RayResult background{spool_->scene().settings.background, kFar, false};
+  const RayResult background{settings.background, kFar, false};
   for (uint64_t token : message.voids) sampling_->Put(SampleOf(token), background);
-  for (const PixelItem& item : message.results) {
-    sampling_->Put(SampleOf(item.token), {item.color, 0, item.hit});
-  }
+  for (const PixelItem& i : message.misses)
+    sampling_->Put(SampleOf(i.token), {i.color, kFar, false});
+  for (const PixelItem& i : message.hits) sampling_->Put(SampleOf(i.token), {i.color, 0, true});
 }
 
 void HostProcess::On(ProcessId from, const Statistics& message, Outbox*) {
@@ -239,7 +277,7 @@ void HostProcess::SendParcel(ProcessId to, Outbox* outbox) {
   w.Put(receiver.placements);
   w.Put(receiver.count);
   w.PutRaw(receiver.objects);
-  outbox->Send(to, std::move(w.bytes()));
+  outbox->Send(to, w.Take());
   receiver.images.clear();
   receiver.placements.clear();
   receiver.objects.clear();
@@ -277,7 +315,7 @@ bool HostProcess::Distribute(Outbox* outbox) {
         wanted[tree_.cell(c).owner - 1] = 1;
       });
     }
-    encoded.bytes().clear();
+    encoded.clear();
     encoded.Put(object.object);
     for (ProcessId p = 1; p <= options_.processes; ++p) {
       if (!wanted[p - 1]) continue;

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "parallel/image_table.h"
@@ -52,6 +53,7 @@ class HostProcess : public Process {
   const std::string& failure() const { return failure_; }  // "" unless phase() is kFailed
   const PixelSampling& sampling() const { return *sampling_; }
   const CellTree& tree() const { return tree_; }
+  uint64_t in_flight() const { return in_flight_; }  // primary rays
   uint32_t in_flight_limit() const { return in_flight_limit_; }
   uint64_t samples_done() const { return samples_done_; }
   // One for each trace process; filled when phase() is kDone. [0] is process 1.
@@ -71,6 +73,9 @@ class HostProcess : public Process {
   void On(ProcessId from, const Text& message, Outbox* outbox);
   void On(ProcessId from, const Failure& message, Outbox* outbox);
 
+  void Balance();
+  std::pair<ProcessId, uint64_t> FullestProcess() const;
+  uint64_t SpareBytes() const;
   void PlanMemory();
   void SendSetUp(Outbox* outbox);
   bool Distribute(Outbox* outbox);

@@ -19,6 +19,7 @@
 #include "parallel/wire.h"
 #include "rayshade/accel/object_set.h"
 #include "rayshade/common/op_counts.h"
+#include "rayshade/shade/crossing.h"
 
 namespace rayshade::parallel {
 
@@ -40,8 +41,10 @@ enum class Tag : uint8_t {
   kStatistics = 15,
   kText = 16,
   kFailure = 17,
+  kShadowTask = 18,
+  kShadowResults = 19,
 };
-inline constexpr int kTags = 18;  // one more than the greatest tag
+inline constexpr int kTags = 20;  // one more than the greatest tag
 
 // Where the result of a ray goes: a pixel sample at the host, or a slot of an intersection at its
 // spawner.
@@ -91,17 +94,18 @@ struct Travel {
 
 // A primary ray on its way: it is a pure function of its sample, so the sample stands for it.
 struct PrimaryTravel {
+  static constexpr bool kPacked = true;
   uint64_t token = 0;  // of its return address at the host
-  CellId resume = kNoCell;
   double best_distance = kFar;
   Rank best_rank = kNoRank;
+  CellId resume = kNoCell;
 
   template <class A>
   void Fields(A& a) {
     a("token", token);
-    a("resume", resume);
     a("best_distance", best_distance);
     a("best_rank", best_rank);
+    a("resume", resume);
   }
 };
 
@@ -120,6 +124,26 @@ struct TravellingRays {
     if constexpr (A::kReading) {
       if (travel.size() != bundle.size()) throw WireError("rays and their travel differ in number");
     }
+  }
+};
+
+// A shadow ray on its way, with what it has crossed so far.
+struct ShadowTravel {
+  ReturnAddress back;  // a waiting hit of its spawner, and which of its shadow rays
+  CellId resume = 0;   // as in Travel
+  Ray ray;
+  double limit = 0;  // nothing at or beyond this distance matters
+  Color color;       // of the light
+  std::vector<ShadowCrossing> crossings;
+
+  template <class A>
+  void Fields(A& a) {
+    a("back", back);
+    a("resume", resume);
+    a("ray", ray);
+    a("limit", limit);
+    a("color", color);
+    a("crossings", crossings);
   }
 };
 
@@ -261,11 +285,11 @@ struct WorkRequest {
 struct PrimaryRays {
   RAYSHADE_MESSAGE(PrimaryRays, "host", "trace", "RJ s.3-4",
                    "One pyramid of primary rays, as samples of the picture: a PyraClip task.");
-  std::vector<Sample> samples;
+  std::vector<uint64_t> tokens;  // of the samples' return addresses
 
   template <class A>
   void Fields(A& a) {
-    a("samples", samples);
+    a("tokens", tokens);
   }
 };
 
@@ -282,17 +306,16 @@ struct IntersectionTask : TravellingRays {
 
 // One finished ray.
 struct ResultItem {
+  static constexpr bool kPacked = true;
   uint64_t token = 0;
   Color color;
-  double distance = 0;
-  bool hit = false;
+  double distance = 0;  // kFar: nothing was hit
 
   template <class A>
   void Fields(A& a) {
     a("token", token);
     a("color", color);
     a("distance", distance);
-    a("hit", hit);
   }
 };
 
@@ -307,31 +330,32 @@ struct RayResults {
   }
 };
 
-// A finished primary ray that hit something, or that the air has coloured.
+// A finished primary ray and its colour.
 struct PixelItem {
+  static constexpr bool kPacked = true;
   uint64_t token = 0;
   Color color;
-  bool hit = false;
 
   template <class A>
   void Fields(A& a) {
     a("token", token);
     a("color", color);
-    a("hit", hit);
   }
 };
 
 struct PixelResults {
   RAYSHADE_MESSAGE(
       PixelResults, "trace", "host", "RJ s.2, s.4",
-      "Results of primary rays. Voids, which show the background, are told by their tokens alone.");
+      "Results of primary rays: hits, misses that the air has coloured, and voids, which show the "
+      "background and are told by their tokens alone.");
   std::vector<uint64_t> voids;
-  std::vector<PixelItem> results;
+  std::vector<PixelItem> misses, hits;
 
   template <class A>
   void Fields(A& a) {
     a("voids", voids);
-    a("results", results);
+    a("misses", misses);
+    a("hits", hits);
   }
 };
 
@@ -388,7 +412,7 @@ struct Statistics {
   uint64_t object_bytes = 0;
   uint64_t cache_hits = 0, cache_misses = 0;
   uint64_t demand_rays = 0;     // traced for PyraClip tasks
-  uint64_t data_rays = 0;       // traced for RayTasks and for rays spawned here
+  uint64_t data_rays = 0;       // traced for RayTasks, ShadowTasks and for rays spawned here
   uint64_t forwarded_rays = 0;  // of these, handed on to another process
   std::vector<KindCount> sent;
   double interval_seconds = 0;
@@ -434,6 +458,44 @@ struct Failure {
   }
 };
 
+struct ShadowTask {
+  RAYSHADE_MESSAGE(
+      ShadowTask, "trace", "trace", "RJ s.2",
+      "Shadow rays that go on in a cell of the receiver's, with what they have crossed "
+      "so far. With --shadows travel.");
+  std::vector<ShadowTravel> rays;
+
+  template <class A>
+  void Fields(A& a) {
+    a("rays", rays);
+  }
+};
+
+// What arrives of a light.
+struct ShadowItem {
+  uint64_t token = 0;
+  bool arrives = false;
+  Color color;
+
+  template <class A>
+  void Fields(A& a) {
+    a("token", token);
+    a("arrives", arrives);
+    a("color", color);
+  }
+};
+
+struct ShadowResults {
+  RAYSHADE_MESSAGE(ShadowResults, "trace", "trace", "RJ s.2",
+                   "Results of shadow rays, back to the process that spawned them.");
+  std::vector<ShadowItem> results;
+
+  template <class A>
+  void Fields(A& a) {
+    a("results", results);
+  }
+};
+
 #undef RAYSHADE_MESSAGE
 
 // Calls visit.template operator()<Message>() for every message of the catalogue, in order of tags.
@@ -456,6 +518,8 @@ void ForEachMessage(Visit&& visit) {
   visit.template operator()<Statistics>();
   visit.template operator()<Text>();
   visit.template operator()<Failure>();
+  visit.template operator()<ShadowTask>();
+  visit.template operator()<ShadowResults>();
 }
 
 template <class Message>
@@ -463,7 +527,7 @@ std::vector<uint8_t> Encode(const Message& message) {
   ByteWriter w;
   w.Put(Message::kTag);
   w.Put(message);
-  return std::move(w.bytes());
+  return w.Take();
 }
 
 // The tag of an encoded message; WireError where there is none of that number.

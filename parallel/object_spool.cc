@@ -32,7 +32,7 @@ class DiskStore : public ObjectStore {
  public:
   void Add(uint64_t sequence, LocalPlacement local, bool in_definition, GeomSpec&& spec) override {
     if (sequence % kMarkEvery == 0) marks_.push_back(file_.size());
-    writer_.bytes().clear();
+    writer_.clear();
     writer_.Put(local);
     writer_.Put(static_cast<uint8_t>(in_definition));
     writer_.Put(spec);

@@ -6,6 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "parallel/work_queue.h"
+
 namespace rayshade::parallel {
 
 namespace {
@@ -45,9 +47,16 @@ Schedule ScheduleOf(const std::string& name, const std::string& value) {
   Refuse(name, value, "data-parallel, demand-driven or hybrid");
 }
 
+Shadows ShadowsOf(const std::string& name, const std::string& value) {
+  for (const Shadows s : {Shadows::kLocal, Shadows::kTravel})
+    if (value == Name(s)) return s;
+  Refuse(name, value, "local or travel");
+}
+
 Distribution DistributionOf(const std::string& name, const std::string& value) {
   if (value == "grid") return Distribution::kGrid;
-  Refuse(name, value, "grid");
+  if (value == "balanced") return Distribution::kBalanced;
+  Refuse(name, value, "grid or balanced");
 }
 
 void Read(const std::string& name, const std::string& value, ParallelOptions* options) {
@@ -57,6 +66,8 @@ void Read(const std::string& name, const std::string& value, ParallelOptions* op
     options->schedule = ScheduleOf(name, value);
   } else if (name == "distribution") {
     options->distribution = DistributionOf(name, value);
+  } else if (name == "shadows") {
+    options->shadows = ShadowsOf(name, value);
   } else if (name == "memory") {
     options->memory = SizeOf(name, value);
   } else if (name == "resident") {
@@ -79,7 +90,10 @@ std::vector<LongOption> ParallelLongOptions() {
   return {
       {"processes", "N", "trace processes  [one for each processor]"},
       {"schedule", "NAME", "data-parallel, demand-driven, hybrid  [hybrid]"},
-      {"distribution", "NAME", "how objects are spread: grid, equal voxels  [grid]"},
+      {"distribution", "NAME",
+       "who owns what: balanced, by predicted work; grid, equal voxels  [balanced]"},
+      {"shadows", "WHERE",
+       "shadow rays: local, objects are fetched; travel, to the objects  [local]"},
       {"memory", "SIZE", "budget of one trace process: 4096, 64K, 12M, 2G; 0: no limit"},
       {"resident", "SIZE", "objects near the eye that every process holds"},
       {"cache", "SIZE", "fetched objects that a process keeps"},
@@ -92,6 +106,8 @@ std::vector<LongOption> ParallelLongOptions() {
 ParallelOptions ParseParallelOptions(const Options& options) {
   ParallelOptions parsed;
   for (const auto& [name, value] : options.extra) Read(name, value, &parsed);
+  if (parsed.shadows == Shadows::kTravel && !ForwardsRays(parsed.schedule))
+    throw std::invalid_argument("--shadows travel: no ray travels by --schedule demand-driven");
   return parsed;
 }
 
@@ -99,6 +115,7 @@ RunOptions DefaultsFor(const ParallelOptions& options, const Machines& machines)
   RunOptions run;
   run.schedule = options.schedule;
   run.distribution = options.distribution;
+  run.shadows = options.shadows;
   run.pyramid = options.pyramid;
   run.processes = options.processes.value_or(static_cast<uint16_t>(
       std::clamp(int64_t{machines.count} * machines.processors, int64_t{1}, int64_t{4096})));

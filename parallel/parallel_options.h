@@ -15,7 +15,8 @@ namespace rayshade::parallel {
 // What was said; what was not said is left to DefaultsFor.
 struct ParallelOptions {
   Schedule schedule = Schedule::kHybrid;
-  Distribution distribution = Distribution::kGrid;
+  Distribution distribution = Distribution::kBalanced;
+  Shadows shadows = Shadows::kLocal;
   std::optional<uint16_t> processes;
   std::optional<uint64_t> memory, resident, cache;  // bytes
   uint32_t pyramid = 1024;                          // primary rays

@@ -21,8 +21,8 @@ struct alignas(64) PendingIntersection {
   ReturnAddress back;
   bool in_use = false;
   bool in_air = true;
-  bool reflected_waits = false;       // for the transmitted ray
-  RayKind kind = RayKind::kPrimary;   // of the ray that was shaded
+  bool reflected_waits = false;      // for the transmitted ray
+  RayKind kind = RayKind::kPrimary;  // of the ray that was shaded
   double distance = 0;
   Color lights;
   Secondary secondary;
@@ -58,10 +58,12 @@ class PendingIntersections {
     free_.push_back(static_cast<uint32_t>(slot));
   }
   size_t size() const { return chunks_.size() * kChunk - free_.size(); }
+  // Of the first few slots, which come together.
+  static constexpr size_t kLeastBytes = 16 * sizeof(PendingIntersection);
   size_t bytes() const { return chunks_.size() * kChunk * sizeof(PendingIntersection); }
 
  private:
-  static constexpr size_t kChunk = 16;
+  static constexpr size_t kChunk = kLeastBytes / sizeof(PendingIntersection);
   PendingIntersection& Slot(uint64_t slot) { return chunks_[slot / kChunk][slot % kChunk]; }
 
   std::vector<std::unique_ptr<PendingIntersection[]>> chunks_;

@@ -14,9 +14,10 @@ size_t PyramidFeed::HandOut(size_t room, PixelSampling* sampling, Outbox* outbox
   while (!requests_.empty() && handed_out < room) {
     if (room - handed_out < pyramid_ && handed_out > 0) break;  // no slivers: wait for results
     PrimaryRays message;
-    message.samples = sampling->Next(std::min(pyramid_, room - handed_out));
-    if (message.samples.empty()) break;
-    handed_out += message.samples.size();
+    for (const Sample& sample : sampling->Next(std::min(pyramid_, room - handed_out)))
+      message.tokens.push_back(TokenOf(sample));
+    if (message.tokens.empty()) break;
+    handed_out += message.tokens.size();
     outbox->Send(requests_.front(), Encode(message));
     requests_.pop_front();
   }

@@ -10,8 +10,7 @@ namespace {
 // A pack is full at about so many bytes: four fragments of PVM.
 constexpr size_t kPackBytes = 16000;
 // What things take in a message, about.
-constexpr size_t kPrimaryBytes = 24, kRayBytes = 131, kMediumBytes = 16;
-constexpr size_t kResultBytes = 41, kPixelBytes = 33, kVoidBytes = 8;
+constexpr size_t kRayBytes = 131, kShadowBytes = 160, kCrossingBytes = 50, kShadowResultBytes = 33;
 
 }  // namespace
 
@@ -20,8 +19,8 @@ void RayPacker::Add(const Ray& ray, std::span<const Medium> media, const Travel&
   TravellingRays& content = rays->content;
   if (ray.kind == RayKind::kPrimary) {
     content.primary.push_back(
-        {travel.back.token, travel.resume, travel.best_distance, travel.best_rank});
-    rays->bytes += kPrimaryBytes;
+        {travel.back.token, travel.best_distance, travel.best_rank, travel.resume});
+    rays->bytes += sizeof(PrimaryTravel);
     return;
   }
   Ray copy = ray;
@@ -29,7 +28,7 @@ void RayPacker::Add(const Ray& ray, std::span<const Medium> media, const Travel&
   content.bundle.media.insert(content.bundle.media.end(), media.begin(), media.end());
   content.bundle.rays.push_back(copy);
   content.travel.push_back(travel);
-  rays->bytes += kRayBytes + media.size() * kMediumBytes;
+  rays->bytes += kRayBytes + media.size() * sizeof(Medium);
 }
 
 template <class Message>
@@ -42,10 +41,11 @@ void RayPacker::SendRays(ProcessId to, Rays* rays, Outbox* outbox) {
 }
 
 void RayPacker::SendPixels(Outbox* outbox) {
-  if (pixels_.voids.empty() && pixels_.results.empty()) return;
+  if (pixels_.voids.empty() && pixels_.misses.empty() && pixels_.hits.empty()) return;
   outbox->Send(kHost, Encode(pixels_));
   pixels_.voids.clear();
-  pixels_.results.clear();
+  pixels_.misses.clear();
+  pixels_.hits.clear();
 }
 
 void RayPacker::AddRay(ProcessId to, const Ray& ray, std::span<const Medium> media,
@@ -65,18 +65,46 @@ void RayPacker::AddIntersection(ProcessId to, const Ray& ray, std::span<const Me
 void RayPacker::AddResult(ProcessId to, const ResultItem& result, Outbox* outbox) {
   std::vector<ResultItem>& results = packs_[to].results;
   results.push_back(result);
-  if (results.size() * kResultBytes < kPackBytes) return;
+  if (results.size() * sizeof(ResultItem) < kPackBytes) return;
   outbox->Send(to, Encode(RayResults{std::exchange(results, {})}));
 }
 
-void RayPacker::AddPixel(const PixelItem& pixel, Outbox* outbox) {
-  pixels_.results.push_back(pixel);
-  if (pixels_.results.size() * kPixelBytes >= kPackBytes) SendPixels(outbox);
+void RayPacker::AddShadow(ProcessId to, ShadowTravel shadow, Outbox* outbox) {
+  Pack& pack = packs_[to];
+  pack.shadow_bytes += kShadowBytes + shadow.crossings.size() * kCrossingBytes;
+  pack.shadows.rays.push_back(std::move(shadow));
+  if (pack.shadow_bytes >= kPackBytes) SendShadows(to, &pack, outbox);
+}
+
+void RayPacker::SendShadows(ProcessId to, Pack* pack, Outbox* outbox) {
+  if (pack->shadow_bytes == 0) return;
+  outbox->Send(to, Encode(pack->shadows));
+  pack->shadows.rays.clear();
+  pack->shadow_bytes = 0;
+}
+
+void RayPacker::AddShadowResult(ProcessId to, const ShadowItem& result, Outbox* outbox) {
+  Pack& pack = packs_[to];
+  pack.shadow_results.results.push_back(result);
+  if (pack.shadow_results.results.size() * kShadowResultBytes >= kPackBytes)
+    SendShadowResults(to, &pack, outbox);
+}
+
+void RayPacker::SendShadowResults(ProcessId to, Pack* pack, Outbox* outbox) {
+  if (pack->shadow_results.results.empty()) return;
+  outbox->Send(to, Encode(pack->shadow_results));
+  pack->shadow_results.results.clear();
+}
+
+void RayPacker::AddPixel(const PixelItem& pixel, bool hit, Outbox* outbox) {
+  std::vector<PixelItem>& pixels = hit ? pixels_.hits : pixels_.misses;
+  pixels.push_back(pixel);
+  if (pixels.size() * sizeof(PixelItem) >= kPackBytes) SendPixels(outbox);
 }
 
 void RayPacker::AddVoid(uint64_t token, Outbox* outbox) {
   pixels_.voids.push_back(token);
-  if (pixels_.voids.size() * kVoidBytes >= kPackBytes) SendPixels(outbox);
+  if (pixels_.voids.size() * sizeof(uint64_t) >= kPackBytes) SendPixels(outbox);
 }
 
 void RayPacker::Flush(Outbox* outbox) {
@@ -88,17 +116,31 @@ void RayPacker::Flush(Outbox* outbox) {
     if (!pack.results.empty()) {
       outbox->Send(to, Encode(RayResults{std::exchange(pack.results, {})}));
     }
+    SendShadows(to, &pack, outbox);
+    SendShadowResults(to, &pack, outbox);
   }
   SendPixels(outbox);
 }
 
 size_t RayPacker::bytes() const {
   size_t bytes = packs_.size() * sizeof(Pack) + pixels_.voids.capacity() * sizeof(uint64_t) +
-                 pixels_.results.capacity() * sizeof(PixelItem);
+                 (pixels_.misses.capacity() + pixels_.hits.capacity()) * sizeof(PixelItem);
   for (const Pack& p : packs_) {
-    bytes += 2 * (p.rays.bytes + p.intersections.bytes) + p.results.capacity() * sizeof(ResultItem);
+    bytes += 2 * (p.rays.bytes + p.intersections.bytes) +
+             p.results.capacity() * sizeof(ResultItem) + 2 * p.shadow_bytes +
+             p.shadow_results.results.capacity() * sizeof(ShadowItem);
   }
   return bytes;
+}
+
+size_t RayPacker::size() const {
+  size_t size = pixels_.voids.size() + pixels_.misses.size() + pixels_.hits.size();
+  for (const Pack& p : packs_) {
+    for (const Rays* r : {&p.rays, &p.intersections})
+      size += r->content.primary.size() + r->content.travel.size();
+    size += p.results.size() + p.shadows.rays.size() + p.shadow_results.results.size();
+  }
+  return size;
 }
 
 }  // namespace rayshade::parallel

@@ -22,11 +22,14 @@ class RayPacker {
                        const Travel& travel, Outbox* outbox);
   // Results of secondary rays, to their spawners.
   void AddResult(ProcessId to, const ResultItem& result, Outbox* outbox);
+  void AddShadow(ProcessId to, ShadowTravel shadow, Outbox* outbox);
+  void AddShadowResult(ProcessId to, const ShadowItem& result, Outbox* outbox);
   // Results of primary rays, to the host.
-  void AddPixel(const PixelItem& pixel, Outbox* outbox);
+  void AddPixel(const PixelItem& pixel, bool hit, Outbox* outbox);
   void AddVoid(uint64_t token, Outbox* outbox);
   void Flush(Outbox* outbox);
   size_t bytes() const;
+  size_t size() const;  // rays and results that are not sent
 
  private:
   struct Rays {
@@ -36,10 +39,15 @@ class RayPacker {
   struct Pack {
     Rays rays, intersections;
     std::vector<ResultItem> results;
+    ShadowTask shadows;
+    size_t shadow_bytes = 0;  // when encoded, about
+    ShadowResults shadow_results;
   };
   static void Add(const Ray& ray, std::span<const Medium> media, const Travel& travel, Rays* rays);
   template <class Message>
   static void SendRays(ProcessId to, Rays* rays, Outbox* outbox);
+  static void SendShadows(ProcessId to, Pack* pack, Outbox* outbox);
+  static void SendShadowResults(ProcessId to, Pack* pack, Outbox* outbox);
   void SendPixels(Outbox* outbox);
 
   std::vector<Pack> packs_;  // by receiver

@@ -15,4 +15,6 @@ const char* Name(Schedule schedule) {
   return "?";
 }
 
+const char* Name(Shadows shadows) { return shadows == Shadows::kLocal ? "local" : "travel"; }
+
 }  // namespace rayshade::parallel

@@ -12,12 +12,20 @@ enum class Schedule : uint8_t {
   kHybrid,        // primary rays on request, secondary rays data parallel [RJ s.3-4]
 };
 enum class Distribution : uint8_t {
-  kGrid,  // equal voxels, one per process [RJ s.2]
+  kGrid,      // equal voxels, one per process [RJ s.2]
+  kBalanced,  // so that each process gets its share of the hits that are predicted
+};
+
+// A shadow ray that must go on in a cell that is not held.
+enum class Shadows : uint8_t {
+  kLocal,   // the cell is fetched: shadow rays are traced where they were spawned [RJ s.4, s.7]
+  kTravel,  // it goes to the cell's owner, as every other ray does [RJ s.2]
 };
 
 struct RunOptions {
   Schedule schedule = Schedule::kHybrid;
   Distribution distribution = Distribution::kGrid;
+  Shadows shadows = Shadows::kLocal;
   uint16_t processes = 4;  // trace processes
   uint64_t memory =
       0;  // bytes per trace process for objects, cache and rays in work; 0: not limited
@@ -31,6 +39,7 @@ struct RunOptions {
   void Fields(A& a) {
     a("schedule", schedule);
     a("distribution", distribution);
+    a("shadows", shadows);
     a("processes", processes);
     a("memory", memory);
     a("resident", resident);
@@ -42,5 +51,6 @@ struct RunOptions {
 };
 
 const char* Name(Schedule schedule);
+const char* Name(Shadows shadows);
 
 }  // namespace rayshade::parallel

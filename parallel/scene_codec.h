@@ -9,6 +9,7 @@
 #include "rayshade/common/ray.h"
 #include "rayshade/render/camera.h"
 #include "rayshade/scene/scene.h"
+#include "rayshade/shade/crossing.h"
 
 namespace rayshade {
 
@@ -101,7 +102,9 @@ template <class A> void Fields(A& a, SpotLightSpec& l) {
   a("from", l.from); a("at", l.at); a("exponent", l.exponent); a("inner", l.inner); a("outer", l.outer);
 }
 template <class A> void Fields(A& a, ExtendedLightSpec& l) { a("radius", l.radius); a("position", l.position); }
-template <class A> void Fields(A& a, AreaCellSpec& l) { a("corner", l.corner); a("u", l.u); a("v", l.v); }
+template <class A> void Fields(A& a, AreaCellSpec& l) {
+  a("corner", l.corner); a("u", l.u); a("v", l.v); a("area", l.area); a("order", l.order); a("cells", l.cells);
+}
 template <class A> void Fields(A& a, LightSpec& l) { a("intensity", l.intensity); a("noshadow", l.noshadow); a("source", l.source); }
 template <class A> void Fields(A& a, ImageData& i) {
   a("file", i.file); a("width", i.width); a("height", i.height); a("channels", i.channels); a("color", i.color); a("alpha", i.alpha);
@@ -162,6 +165,8 @@ template <class A> void Fields(A& a, Settings& s) {
   a("jitter", s.jitter); a("filter", s.filter); a("filter_width", s.filter_width); a("contrast", s.contrast);
   a("seed", s.seed); a("max_depth", s.max_depth); a("cutoff", s.cutoff); a("background", s.background);
   a("ambient_light", s.ambient_light); a("shadows", s.shadows); a("shadow_transparency", s.shadow_transparency);
+  a("pattern", s.pattern); a("every_pixel_full", s.every_pixel_full); a("area_cells", s.area_cells);
+  a("light_cutoff", s.light_cutoff);
 }
 // Placements travel with the objects that stand by them.
 template <class A> void Fields(A& a, SceneSpec& s) {
@@ -187,10 +192,15 @@ template <class A> void Fields(A& a, RayBundle& b) {
     if (at != b.media.size()) throw parallel::WireError("media that belong to no ray");
   }
 }
+template <class A> void Fields(A& a, ShadowCrossing& c) {
+  a("distance", c.distance); a("rank", c.rank); a("through", c.through); a("extinct", c.extinct);
+  a("entering", c.entering); a("opaque", c.opaque);
+}
 template <class A> void Fields(A& a, OpCounts& c) {
 #define RAYSHADE_FIELD(name) a(#name, c.name);
   RAYSHADE_OP_COUNTS(RAYSHADE_FIELD)
 #undef RAYSHADE_FIELD
+  for (KindCounts& kind : c.kinds) { a("tests", kind.tests); a("hits", kind.hits); }
 }
 // clang-format on
 

@@ -36,7 +36,7 @@ SpoolFile::SpoolFile() {
 
 SpoolFile::~SpoolFile() { std::fclose(file_); }
 
-void SpoolFile::Append(const std::vector<uint8_t>& record) {
+void SpoolFile::Append(std::span<const uint8_t> record) {
   if (reading_) {
     if (fseeko(file_, static_cast<off_t>(size_), SEEK_SET) != 0) Fail("cannot seek in");
     reading_ = false;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <span>
 #include <vector>
 
 namespace rayshade::parallel {
@@ -16,7 +17,7 @@ class SpoolFile {
   SpoolFile& operator=(const SpoolFile&) = delete;
 
   uint64_t size() const { return size_; }  // bytes appended: where the next record will stand
-  void Append(const std::vector<uint8_t>& record);
+  void Append(std::span<const uint8_t> record);
   void Clear();
 
   // Reading starts at a record's place; Next gives false at the end. Appending and reading may

@@ -1,5 +1,6 @@
 // The state of a trace process and its steps; private to trace_process.cc (messages), trace_rays.cc
-// (tracing and fetching) and trace_shading.cc (spawning, gathering, shading).
+// (tracing and fetching), trace_shadows.cc (shadow rays that travel) and trace_shading.cc
+// (spawning, gathering, shading).
 #pragma once
 
 #include <deque>
@@ -14,6 +15,7 @@
 #include "parallel/object_cache.h"
 #include "parallel/pending_intersections.h"
 #include "parallel/process.h"
+#include "parallel/rank_index.h"
 #include "parallel/ray_packer.h"
 #include "parallel/ray_queue.h"
 #include "parallel/trace_process.h"
@@ -24,18 +26,61 @@
 
 namespace rayshade::parallel {
 
-// A hit whose shadow rays wait for cells.
+// In WaitingShade::arrived: the shadow ray is with another process.
+inline constexpr uint8_t kUnknown = 2;
+
+// A hit whose shadow rays wait for cells, or travel. Lights before the first undecided one are
+// folded; from there on they are kept, since they are folded in order.
 struct WaitingShade {
   Ray ray;
   std::vector<Medium> media;
   double distance = 0;
   ReturnAddress back;
   SurfaceHit hit;
+  Color lights;  // folded so far
   std::vector<ShadowRay> shadows;
   std::vector<uint8_t> arrived;
-  std::vector<std::vector<ShadowCrossing>>
-      crossings;         // by shadow; empty where nothing is transparent
-  uint32_t unknown = 0;  // shadow rays that are not decided
+  std::vector<std::vector<ShadowCrossing>> crossings;  // by shadow
+  uint32_t unknown = 0;                                // shadow rays that are not decided
+};
+
+// The hits of a step, which are shaded together. Their rays stay in the step's queue.
+struct HitBatch {
+  size_t size = 0;
+  std::vector<uint32_t> rays;  // their numbers
+  std::vector<double> distances;
+  std::vector<SurfaceHit> surfaces;
+  std::vector<Color> lights;    // ambient light and what is folded so far
+  std::vector<uint32_t> aside;  // the hit's waiting shade; kNotAside while all lights are decided
+
+  HitBatch()
+      : rays(kRaysPerStep),
+        distances(kRaysPerStep),
+        surfaces(kRaysPerStep),
+        lights(kRaysPerStep),
+        aside(kRaysPerStep) {}
+};
+inline constexpr uint32_t kNotAside = ~uint32_t{0};
+
+// The shadow rays of a batch towards one light: a pyramid [RJ s.3].
+struct ShadowBatch {
+  std::vector<Ray> rays;
+  std::vector<LightSample> samples;
+  std::vector<double> limits;
+  std::vector<uint32_t> hits;  // whose they are
+  std::vector<uint8_t> blocked, crossed;
+  std::vector<std::vector<ShadowCrossing>> crossings;
+  std::vector<CellId> halted;  // the cell that they wait for; kNoCell: decided
+
+  ShadowBatch()
+      : rays(kRaysPerStep),
+        samples(kRaysPerStep),
+        limits(kRaysPerStep),
+        hits(kRaysPerStep),
+        blocked(kRaysPerStep),
+        crossed(kRaysPerStep),
+        crossings(kRaysPerStep),
+        halted(kRaysPerStep) {}
 };
 
 // A member of a definition, which several placed objects share.
@@ -79,25 +124,38 @@ struct TraceProcess::Impl {
   void NoteBytes();
 
   // trace_rays.cc
-  void TraceStep(const RayQueue& rays, Outbox* outbox);
+  void TraceRays(const RayQueue& rays, Outbox* outbox);
+  void TraceSome(const RayQueue& rays, size_t begin, size_t count, Outbox* outbox);
+  void GoOn(const RayQueue& rays, size_t i, const Hit& best, CellId cell, Outbox* outbox);
   void Miss(const Ray& ray, const ReturnAddress& back, Outbox* outbox);
   void OnHit(const RayQueue& rays, size_t i, const Hit& hit, Outbox* outbox);
+  void AddToBatch(const RayQueue& rays, size_t i, const Hit& hit);
   void TakeCell(CellReply&& reply, Outbox* outbox);
-  void LocateHits(const RayQueue& rays);
+  void ShadeLocated(const RayQueue& rays, Outbox* outbox);
   WaitingForCell& WaitFor(CellId cell);
   void RequestCells(Outbox* outbox);
 
+  // trace_shadows.cc
+  void On(ProcessId from, ShadowTask& message, Outbox* outbox);
+  void On(ProcessId from, ShadowResults& message, Outbox* outbox);
+  void SendShadow(const ReturnAddress& back, const CellTracer::Shadow& shadow, const Color& color,
+                  Outbox* outbox);
+  void TraceShadowTasks(Outbox* outbox);
+
   // trace_shading.cc
-  bool Arrives(CellTracer::Shadow* shadow);
-  void ShadeHits(Outbox* outbox);
-  void TraceShadows(std::vector<uint32_t>* first);
-  void PutAside(size_t i, std::span<const uint32_t> first);
+  void ShadeBatch(const RayQueue& rays, Outbox* outbox);
+  void Illuminate(const RayQueue& rays, size_t count, uint32_t light, Outbox* outbox);
+  void TraceShadows(size_t count);
+  bool Arrives(bool blocked, std::vector<ShadowCrossing>* crossings, Color* color);
+  void Fold(const RayQueue& rays, size_t hit, const LightSample& sample, bool arrives);
+  WaitingShade& Aside(const RayQueue& rays, size_t hit);
+  void Wait(const RayQueue& rays, size_t shadow, Outbox* outbox);
   void ResumeShadows(const std::vector<std::pair<uint32_t, uint32_t>>& shadows, CellId cell,
                      Outbox* outbox);
+  void FinishWaiting(uint32_t slot, Outbox* outbox);
   void Lit(const Ray& ray, std::span<const Medium> media, double distance, const SurfaceHit& hit,
-           std::span<const ShadowRay> shadows, std::span<const uint8_t> arrived,
-           const ReturnAddress& back, Outbox* outbox);
-  void Launch(const RayBundle& one, const ReturnAddress& back);
+           const Color& lights, const ReturnAddress& back, Outbox* outbox);
+  void CountLaunched(RayKind kind);
   void Deliver(const ReturnAddress& back, RayKind kind, const RayResult& result, Outbox* outbox);
   void TakeResult(uint64_t token, const RayResult& result, Outbox* outbox);
 
@@ -119,10 +177,12 @@ struct TraceProcess::Impl {
   std::unique_ptr<ObjectSet> own;
   std::unique_ptr<ObjectCache> cache;
   std::unique_ptr<CellTracer> tracer;
+  std::unique_ptr<RankIndex> ranks;  // of `own`; null where memory is short
 
   // Rays in work.
-  std::deque<Sample> samples;  // of PyraClip tasks, not begun
+  std::deque<uint64_t> samples;  // of PyraClip tasks, not begun: tokens
   WorkQueue queue;
+  std::deque<ShadowTravel> shadow_tasks;
   RayQueue transferred;  // hits from other processes, to be located and shaded
   std::deque<CellReply> arrived_cells;
   std::map<CellId, WaitingForCell> waiting;
@@ -136,22 +196,12 @@ struct TraceProcess::Impl {
   int requests = 0;
   int steps = 0;
 
-  // The batch of hits being shaded, with resolved[i] for rays i.
-  RayQueue batch;
-  std::vector<SurfaceHit> resolved;
-  std::vector<double> distances;
-  std::vector<ShadowRay> shadows;
-  std::vector<uint8_t> arrived;
-  std::vector<std::vector<ShadowCrossing>> crossings;
-  std::vector<CellId> halted;  // by shadow; kNoCell: decided
-
-  // Scratch of a step.
+  // Of the step at hand.
   RayQueue step;
-  std::vector<uint32_t> first_shadow;
-  std::vector<uint32_t> next_shadow;
-  std::vector<CellTracer::Shadow> light_shadows;
-  std::vector<uint32_t> of_light;
-  RayBundle transmitted, reflected;
+  HitBatch batch;
+  ShadowBatch shadows;
+  std::vector<CellTracer::Shadow> halting;
+  std::vector<uint32_t> halting_numbers;
   HitPath path;
   std::vector<Hit> hits;
   std::vector<Halt> halts;

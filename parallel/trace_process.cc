@@ -19,6 +19,12 @@ WorkDone TraceProcess::work_done() const { return {impl_->counts, impl_->objects
 
 uint64_t TraceProcess::bytes_held() const { return impl_->bytes_held; }
 
+size_t TraceProcess::rays_in_work() const {
+  const Impl& p = *impl_;
+  return p.samples.size() + p.queue.size() + p.transferred.size() + p.waiting_rays +
+         p.waiting_shades.size() - p.free_waiting_shades.size() + (p.packer ? p.packer->size() : 0);
+}
+
 bool TraceProcess::Work(Outbox* outbox) { return impl_->Work(outbox); }
 
 template <class Message>
@@ -59,6 +65,10 @@ void TraceProcess::Receive(ProcessId from, std::span<const uint8_t> bytes, Outbo
       return p.Handle<CellRequest>(from, bytes, outbox);
     case Tag::kCellReply:
       return p.Handle<CellReply>(from, bytes, outbox);
+    case Tag::kShadowTask:
+      return p.Handle<ShadowTask>(from, bytes, outbox);
+    case Tag::kShadowResults:
+      return p.Handle<ShadowResults>(from, bytes, outbox);
     default:
       throw WireError(std::string(NameOf(tag)) + " is not for a trace process");
   }
@@ -145,7 +155,7 @@ void TraceProcess::Impl::Install(const ObjectParcel& parcel, ObjectSet* set) {
       member = {object.geom, MakeGeom(object.geom, scene->shutter)};
       member_numbers.emplace(member.geom.get(), object.member);
     }
-    set->Add(member.geom, placement, object.rank);
+    set->Add(member.geom, object.geom.index(), placement, object.rank);
   }
 }
 
@@ -159,25 +169,28 @@ void TraceProcess::Impl::On(ProcessId, Distributed&, Outbox* outbox) {
   if (tracer != nullptr) throw WireError("Distributed twice");
   own->Build();
   tracer = std::make_unique<CellTracer>(scene.get(), &tree, self, own.get(), cache.get());
+  tracer->set_searches_cache(SearchesCache(options.schedule));
+  const bool plenty = options.memory == 0 || own->bytes() < options.memory / 8;
+  if (TransfersHits(options.schedule) && plenty) ranks = std::make_unique<RankIndex>(own.get());
   NoteBytes();
   Ready ready;
-  ready.bytes_held = own->bytes() + images.bytes();
+  ready.bytes_held = bytes_held;  // the subdivision and empty packs count, too
   uint64_t largest_foreign = 0;
   for (CellId c = 0; c < tree.size(); ++c) {
     if (!tracer->owns(c)) largest_foreign = std::max(largest_foreign, tree.cell(c).bytes);
   }
-  ready.bytes_needed = ready.bytes_held + 2 * largest_foreign;
+  ready.bytes_needed = ready.bytes_held + 2 * largest_foreign + PendingIntersections::kLeastBytes;
   ready.probe = MathProbe();
   ready.machine = meter->machine();
   outbox->Send(kHost, Encode(ready));
 }
 
 void TraceProcess::Impl::On(ProcessId, PrimaryRays& message, Outbox*) {
-  for (const Sample& s : message.samples) CheckSample(s, *camera, scene->settings().samples);
+  for (uint64_t t : message.tokens) CheckSample(SampleOf(t), *camera, scene->settings().samples);
   requests = std::max(0, requests - 1);
-  statistics.demand_rays += message.samples.size();
-  counts.primary_rays += message.samples.size();
-  samples.insert(samples.end(), message.samples.begin(), message.samples.end());
+  statistics.demand_rays += message.tokens.size();
+  counts.primary_rays += message.tokens.size();
+  samples.insert(samples.end(), message.tokens.begin(), message.tokens.end());
 }
 
 // The next part of the PyraClip tasks at hand, as rays.
@@ -185,8 +198,8 @@ void TraceProcess::Impl::TakeSamples(RayQueue* rays) {
   const size_t count = std::min(kRaysPerStep, samples.size());
   Travel travel;
   for (size_t i = 0; i < count; ++i) {
-    travel.back = {kHost, TokenOf(samples[i])};
-    rays->Push(camera->PrimaryRay(samples[i]), {}, travel);
+    travel.back = {kHost, samples[i]};
+    rays->Push(camera->PrimaryRay(SampleOf(samples[i])), {}, travel);
   }
   samples.erase(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(count));
 }
@@ -231,19 +244,17 @@ void TraceProcess::Impl::On(ProcessId, IntersectionTask& message, Outbox*) {
   RayQueue rays;
   Unpack(message, &rays);
   for (size_t i = 0; i < rays.size(); ++i) {
-    const Ray& ray = rays.bundle.rays[i];
-    const CellId cell = tree.At(ray.origin + rays.travel[i].best_distance * ray.direction);
-    if (cell == kNoCell || tree.cell(cell).owner != self) throw WireError("a hit of another's");
+    if (tracer->OwnerAt(rays.bundle.rays[i], rays.travel[i].best_distance) != self) {
+      throw WireError("a hit of another's");
+    }
   }
-  for (size_t i = 0; i < rays.size(); ++i) {
-    transferred.Push(rays.bundle.rays[i], rays.media(i), rays.travel[i]);
-  }
+  transferred.Append(rays);
 }
 
 void TraceProcess::Impl::On(ProcessId, RayResults& message, Outbox* outbox) {
   for (const ResultItem& item : message.results) pending.at(item.token >> 1);
   for (const ResultItem& item : message.results) {
-    TakeResult(item.token, {item.color, item.distance, item.hit}, outbox);
+    TakeResult(item.token, {item.color, item.distance, item.distance < kFar}, outbox);
   }
 }
 
@@ -316,9 +327,8 @@ void TraceProcess::Impl::On(ProcessId, Stop&, Outbox* outbox) {
 
 bool TraceProcess::Impl::AskForWork(Outbox* outbox) {
   if (!AsksForWork(options.schedule) || requests >= kRequestsAhead) return false;
-  if (!ShortOfWork(samples.size() + queue.size() + transferred.size(), waiting_rays,
-                   options.pyramid))
-    return false;
+  const size_t ready = samples.size() + queue.size() + transferred.size() + shadow_tasks.size();
+  if (!ShortOfWork(ready, waiting_rays, options.pyramid)) return false;
   ++requests;
   outbox->Send(kHost, Encode(WorkRequest{}));
   return true;
@@ -328,31 +338,32 @@ bool TraceProcess::Impl::Work(Outbox* outbox) {
   if (tracer == nullptr || stopped) return false;
   AskForWork(outbox);
   if (++steps % kStepsPerFlush == 0) packer->Flush(outbox);
-  // What frees memory goes first: cells that rays wait for, then the deepest rays of which there is
-  // a whole step (few rays at a time are traced badly). Then hits that others found, primary rays,
-  // and at last what rays there are.
+  // What frees memory goes first: cells that rays wait for, shadow rays, then the deepest rays of
+  // which there is a whole step (few rays at a time are traced badly). Then hits that others found,
+  // primary rays, and at last what rays there are.
   if (!arrived_cells.empty()) {
     CellReply reply = std::move(arrived_cells.front());
     arrived_cells.pop_front();
     TakeCell(std::move(reply), outbox);
+  } else if (!shadow_tasks.empty()) {
+    TraceShadowTasks(outbox);
   } else {
     step.clear();
-    if (queue.PopFull(&step)) {
-      TraceStep(step, outbox);
+    if (queue.PopEnough(&step)) {
+      TraceRays(step, outbox);
     } else if (!transferred.empty()) {
       transferred.Pop(kRaysPerStep, &step);
-      LocateHits(step);
+      ShadeLocated(step, outbox);
     } else if (!samples.empty()) {
       TakeSamples(&step);
-      TraceStep(step, outbox);
+      TraceRays(step, outbox);
     } else if (queue.PopAny(&step)) {
-      TraceStep(step, outbox);
+      TraceRays(step, outbox);
     } else {
       packer->Flush(outbox);
       return false;
     }
   }
-  ShadeHits(outbox);
   RequestCells(outbox);
   NoteBytes();
   return true;
@@ -361,7 +372,8 @@ bool TraceProcess::Impl::Work(Outbox* outbox) {
 void TraceProcess::Impl::NoteBytes() {
   bytes_held = own->bytes() + images.bytes() + cache->bytes() + tracer->bytes() + queue.bytes() +
                transferred.bytes() + pending.bytes() + packer->bytes() +
-               waiting_rays * (sizeof(Ray) + sizeof(Travel)) +
+               (ranks ? ranks->bytes() : 0) + waiting_rays * (sizeof(Ray) + sizeof(Travel)) +
+               shadow_tasks.size() * sizeof(ShadowTravel) +
                (waiting_shades.size() - free_waiting_shades.size()) * sizeof(WaitingShade);
   statistics.bytes_held_max = std::max(statistics.bytes_held_max, bytes_held);
 }

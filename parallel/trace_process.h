@@ -33,6 +33,9 @@ class TraceProcess : public Process {
   bool finished() const override;
   WorkDone work_done() const override;
   uint64_t bytes_held() const override;
+  // Rays not finished, hits not shaded and results not sent: one for each primary ray that is here.
+  // Pending intersections do not count: their rays do.
+  size_t rays_in_work() const;
 
  private:
   struct Impl;

@@ -6,33 +6,47 @@
 
 namespace rayshade::parallel {
 
-// Traces rays as far as this process can; each ends, goes to another process, or waits for a cell.
-void TraceProcess::Impl::TraceStep(const RayQueue& rays, Outbox* outbox) {
-  const size_t n = rays.size();
-  hits.resize(n);
-  halts.resize(n);
-  tracer->Nearest(rays.bundle.rays, rays.travel, hits, halts, &counts);
-  for (size_t i = 0; i < n; ++i) {
-    const Ray& ray = rays.bundle.rays[i];
-    Travel travel = rays.travel[i];
-    if (halts[i].cell != kNoCell) {
-      travel.resume = halts[i].cell;
-      travel.best_distance = hits[i].distance;
-      travel.best_rank = hits[i].rank;
-      if (ForwardsRays(options.schedule)) {
-        travel.own_done = false;
-        ++statistics.forwarded_rays;
-        packer->AddRay(tree.cell(halts[i].cell).owner, ray, rays.media(i), travel, outbox);
-      } else {
-        travel.own_done = true;
-        WaitFor(halts[i].cell).rays.Push(ray, rays.media(i), travel);
-        ++waiting_rays;
-      }
-    } else if (hits[i].found()) {
-      OnHit(rays, i, hits[i], outbox);
+// Traces rays as far as this process can, and shades what they hit here.
+void TraceProcess::Impl::TraceRays(const RayQueue& rays, Outbox* outbox) {
+  for (size_t begin = 0; begin < rays.size(); begin += kRaysPerStep) {
+    TraceSome(rays, begin, std::min(kRaysPerStep, rays.size() - begin), outbox);
+    ShadeBatch(rays, outbox);
+  }
+}
+
+// Each ray ends, goes to another process, or waits for a cell.
+void TraceProcess::Impl::TraceSome(const RayQueue& rays, size_t begin, size_t count,
+                                   Outbox* outbox) {
+  hits.resize(count);
+  halts.resize(count);
+  tracer->Nearest(std::span(rays.bundle.rays).subspan(begin, count),
+                  std::span(rays.travel).subspan(begin, count), hits, halts, &counts);
+  for (size_t k = 0; k < count; ++k) {
+    const size_t i = begin + k;
+    if (halts[k].cell != kNoCell) {
+      GoOn(rays, i, hits[k], halts[k].cell, outbox);
+    } else if (hits[k].found()) {
+      OnHit(rays, i, hits[k], outbox);
     } else {
-      Miss(ray, travel.back, outbox);
+      Miss(rays.bundle.rays[i], rays.travel[i].back, outbox);
     }
+  }
+}
+
+// A ray that cannot end here goes on in a cell that is not held.
+void TraceProcess::Impl::GoOn(const RayQueue& rays, size_t i, const Hit& best, CellId cell,
+                              Outbox* outbox) {
+  Travel travel = rays.travel[i];
+  travel.resume = cell;
+  travel.best_distance = best.distance;
+  travel.best_rank = best.rank;
+  travel.own_done = !ForwardsRays(options.schedule);
+  if (ForwardsRays(options.schedule)) {
+    ++statistics.forwarded_rays;
+    packer->AddRay(tree.cell(cell).owner, rays.bundle.rays[i], rays.media(i), travel, outbox);
+  } else {
+    WaitFor(cell).rays.Push(rays.bundle.rays[i], rays.media(i), travel);
+    ++waiting_rays;
   }
 }
 
@@ -50,44 +64,53 @@ void TraceProcess::Impl::Miss(const Ray& ray, const ReturnAddress& back, Outbox*
 // A conclusive hit: shaded by the process that keeps the object, which may be this one.
 void TraceProcess::Impl::OnHit(const RayQueue& rays, size_t i, const Hit& found, Outbox* outbox) {
   const Ray& ray = rays.bundle.rays[i];
-  Hit hit = found;
+  Travel travel = rays.travel[i];
+  travel.best_distance = found.distance;
+  travel.best_rank = found.rank;
   if (TransfersHits(options.schedule)) {
-    const CellId cell = tree.At(ray.origin + hit.distance * ray.direction);
-    const ProcessId owner = cell == kNoCell ? self : tree.cell(cell).owner;
-    if (owner != self) {
-      Travel travel = rays.travel[i];
-      travel.best_distance = hit.distance;
-      travel.best_rank = hit.rank;
+    const ProcessId owner = tracer->OwnerAt(ray, found.distance);
+    if (owner != self && owner != kHost) {
       packer->AddIntersection(owner, ray, rays.media(i), travel, outbox);
       return;
     }
   }
-  if (hit.set == nullptr) {
-    hit = tracer->Locate(ray, hit.distance, hit.rank, &counts);
-    if (hit.set == nullptr) {
-      Travel travel = rays.travel[i];
-      travel.best_distance = hit.distance;
-      travel.best_rank = hit.rank;
-      const CellId cell = tree.At(ray.origin + hit.distance * ray.direction);
-      WaitFor(cell).hits.Push(ray, rays.media(i), travel);
-      ++waiting_rays;
-      return;
-    }
+  if (found.set != nullptr) {
+    AddToBatch(rays, i, found);
+    return;
   }
-  batch.Push(ray, rays.media(i), rays.travel[i]);
-  distances.push_back(hit.distance);
-  ResolveHit(*scene, ray, hit, &path, &resolved.emplace_back());
+  const Hit hit = tracer->Locate(ray, found.distance, found.rank, &counts);
+  if (hit.set != nullptr) {
+    AddToBatch(rays, i, hit);
+    return;
+  }
+  WaitFor(tree.At(ray.origin + found.distance * ray.direction))
+      .hits.Push(ray, rays.media(i), travel);
+  ++waiting_rays;
+}
+
+void TraceProcess::Impl::AddToBatch(const RayQueue& rays, size_t i, const Hit& hit) {
+  const size_t n = batch.size++;
+  batch.rays[n] = static_cast<uint32_t>(i);
+  batch.distances[n] = hit.distance;
+  ResolveHit(*scene, rays.bundle.rays[i], hit, &path, &batch.surfaces[n]);
 }
 
 // Hits known by distance and rank: found by other processes on objects of this one, or met in a
 // cell that was dropped since.
-void TraceProcess::Impl::LocateHits(const RayQueue& rays) {
-  hits.resize(rays.size());
-  tracer->LocateAll(rays.bundle.rays, rays.travel, hits, &counts);
-  for (size_t i = 0; i < rays.size(); ++i) {
-    batch.Push(rays.bundle.rays[i], rays.media(i), rays.travel[i]);
-    distances.push_back(hits[i].distance);
-    ResolveHit(*scene, rays.bundle.rays[i], hits[i], &path, &resolved.emplace_back());
+void TraceProcess::Impl::ShadeLocated(const RayQueue& rays, Outbox* outbox) {
+  for (size_t begin = 0; begin < rays.size(); begin += kRaysPerStep) {
+    const size_t end = std::min(begin + kRaysPerStep, rays.size());
+    for (size_t i = begin; i < end; ++i) {
+      const Travel& travel = rays.travel[i];
+      Hit hit;
+      if (ranks != nullptr) hit = ranks->Find(travel.best_distance, travel.best_rank);
+      if (hit.set == nullptr) {
+        hit = tracer->LocateHeld(rays.bundle.rays[i], travel.best_distance, travel.best_rank,
+                                 &counts);
+      }
+      AddToBatch(rays, i, hit);
+    }
+    ShadeBatch(rays, outbox);
   }
 }
 
@@ -116,8 +139,8 @@ void TraceProcess::Impl::TakeCell(CellReply&& reply, Outbox* outbox) {
   const auto node = waiting.extract(reply.cell);
   WaitingForCell& waiters = node.mapped();
   waiting_rays -= waiters.rays.size() + waiters.hits.size();
-  LocateHits(waiters.hits);
-  if (!waiters.rays.empty()) TraceStep(waiters.rays, outbox);
+  ShadeLocated(waiters.hits, outbox);
+  TraceRays(waiters.rays, outbox);
   ResumeShadows(waiters.shadows, reply.cell, outbox);
 }
 

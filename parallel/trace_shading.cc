@@ -6,86 +6,124 @@
 
 namespace rayshade::parallel {
 
-// A shadow ray has come to its end: what arrives of the light. False: nothing.
-bool TraceProcess::Impl::Arrives(CellTracer::Shadow* shadow) {
+// Shades the hits of a step: shadow rays are traced here, where they are spawned, light by light
+// [RJ s.4]; secondary rays enter the queue.
+void TraceProcess::Impl::ShadeBatch(const RayQueue& rays, Outbox* outbox) {
+  const size_t count = std::exchange(batch.size, 0);
+  counts.hits += count;
+  for (size_t h = 0; h < count; ++h) {
+    batch.lights[h] = ShadeAmbient(*scene, batch.surfaces[h]);
+    batch.aside[h] = kNotAside;
+  }
+  for (uint32_t light = 0; count > 0 && light < scene->lights.size(); ++light) {
+    Illuminate(rays, count, light, outbox);
+  }
+  for (size_t h = 0; h < count; ++h) {
+    if (batch.aside[h] != kNotAside) continue;
+    const size_t i = batch.rays[h];
+    Lit(rays.bundle.rays[i], rays.media(i), batch.distances[h], batch.surfaces[h], batch.lights[h],
+        rays.travel[i].back, outbox);
+  }
+}
+
+// One light for all hits of the batch: its shadow rays form a pyramid.
+void TraceProcess::Impl::Illuminate(const RayQueue& rays, size_t count, uint32_t light,
+                                    Outbox* outbox) {
+  ShadowBatch& s = shadows;
+  size_t traced = 0;
+  for (size_t h = 0; h < count; ++h) {
+    LightSample& sample = s.samples[traced];
+    if (!SampleLight(*scene, light, rays.bundle.rays[batch.rays[h]], batch.surfaces[h], &sample,
+                     &s.rays[traced], &counts)) {
+      continue;
+    }
+    if (!sample.traced) {
+      Fold(rays, h, sample, true);
+      continue;
+    }
+    s.limits[traced] = sample.limit;
+    s.hits[traced] = static_cast<uint32_t>(h);
+    ++traced;
+  }
+  if (traced == 0) return;
+  TraceShadows(traced);
+  for (size_t k = 0; k < traced; ++k) {
+    if (s.halted[k] != kNoCell) {
+      Wait(rays, k, outbox);
+      continue;
+    }
+    const bool arrives = Arrives(s.blocked[k] != 0, &s.crossings[k], &s.samples[k].color);
+    Fold(rays, s.hits[k], s.samples[k], arrives);
+  }
+}
+
+// Follows the first shadow rays of the batch as far as this process can.
+void TraceProcess::Impl::TraceShadows(size_t count) {
+  ShadowBatch& s = shadows;
+  std::fill_n(s.blocked.begin(), count, uint8_t{0});
+  std::fill_n(s.halted.begin(), count, kNoCell);
+  const size_t crossings = scene->any_transparent ? count : 0;
+  std::fill_n(s.crossed.begin(), crossings, uint8_t{0});
+  own->Block({s.rays.data(), count}, {s.limits.data(), count}, {s.blocked.data(), count},
+             {s.crossed.data(), crossings}, &counts);
+  for (size_t k = 0; k < crossings; ++k) {
+    s.crossings[k].clear();
+    if (s.blocked[k] || !s.crossed[k]) continue;
+    CollectCrossings(*scene, *own, s.rays[k], s.limits[k], &s.crossings[k], &counts);
+  }
+  if (tracer->owns_all()) return;
+
+  // What is held for good is done: on through cells that others own.
+  halting.clear();
+  halting_numbers.clear();
+  for (size_t k = 0; k < count; ++k) {
+    if (s.blocked[k]) continue;
+    CellTracer::Shadow& shadow = halting.emplace_back();
+    shadow.ray = &s.rays[k];
+    shadow.limit = s.limits[k];
+    if (crossings > 0) shadow.crossings = &s.crossings[k];
+    shadow.own_done = true;
+    halting_numbers.push_back(static_cast<uint32_t>(k));
+  }
+  tracer->Shadows(halting, &counts);
+  for (size_t n = 0; n < halting.size(); ++n) {
+    s.blocked[halting_numbers[n]] = halting[n].blocked;
+    s.halted[halting_numbers[n]] = halting[n].halt.cell;
+  }
+}
+
+// A shadow ray has come to its end. False: nothing arrives; else *color becomes what does.
+bool TraceProcess::Impl::Arrives(bool blocked, std::vector<ShadowCrossing>* crossings,
+                                 Color* color) {
   const bool arrives = [&] {
-    if (shadow->blocked) return false;
-    if (shadow->crossings == nullptr || shadow->crossings->empty()) return true;
+    if (blocked) return false;
+    if (crossings->empty()) return true;
     if (!scene->settings().shadow_transparency) return false;
-    const std::optional<Color> rest = FoldCrossings(shadow->crossings, shadow->shadow->color);
-    if (rest) shadow->shadow->color = *rest;
+    const std::optional<Color> rest = FoldCrossings(crossings, *color);
+    if (rest) *color = *rest;
     return rest.has_value();
   }();
   counts.shadow_hits += !arrives;
   return arrives;
 }
 
-// Shades the batch of resolved hits: shadow rays are traced here, where they are spawned [RJ s.4].
-void TraceProcess::Impl::ShadeHits(Outbox* outbox) {
-  if (batch.empty()) return;
-  counts.hits += batch.size();
-  std::vector<uint32_t>& first = first_shadow;
-  first.clear();
-  TraceShadows(&first);
-  for (size_t i = 0; i < batch.size(); ++i) {
-    const size_t begin = first[i], count = first[i + 1] - begin;
-    if (std::any_of(halted.begin() + begin, halted.begin() + begin + count,
-                    [](CellId c) { return c != kNoCell; })) {
-      PutAside(i, first);
-      continue;
-    }
-    Lit(batch.bundle.rays[i], batch.media(i), distances[i], resolved[i],
-        std::span(shadows).subspan(begin, count), std::span(arrived).subspan(begin, count),
-        batch.travel[i].back, outbox);
+// A light of a hit is decided: it is folded, or kept where an earlier one is not.
+void TraceProcess::Impl::Fold(const RayQueue& rays, size_t hit, const LightSample& sample,
+                              bool arrives) {
+  if (batch.aside[hit] == kNotAside) {
+    if (arrives) AddLight(batch.surfaces[hit], sample, sample.color, &batch.lights[hit]);
+    return;
   }
-  batch.clear();
-  resolved.clear();
-  distances.clear();
+  WaitingShade& shade = Aside(rays, hit);
+  static_cast<LightSample&>(shade.shadows.emplace_back()) = sample;
+  shade.arrived.push_back(arrives);
+  shade.crossings.emplace_back();
 }
 
-// The shadow rays of the batch, light by light: towards one light they form a pyramid. (*first)[i]
-// … (*first)[i + 1] are those of hit i.
-void TraceProcess::Impl::TraceShadows(std::vector<uint32_t>* first) {
-  shadows.clear();
-  for (size_t i = 0; i < batch.size(); ++i) {
-    first->push_back(static_cast<uint32_t>(shadows.size()));
-    SpawnShadows(*scene, batch.bundle.rays[i], resolved[i], &shadows, &counts);
-  }
-  first->push_back(static_cast<uint32_t>(shadows.size()));
-  arrived.assign(shadows.size(), 1);
-  halted.assign(shadows.size(), kNoCell);
-  crossings.assign(scene->any_transparent ? shadows.size() : 0, {});
-
-  std::vector<uint32_t>& next = next_shadow;
-  next.assign(first->begin(), first->end() - 1);
-  std::vector<CellTracer::Shadow>& some = light_shadows;
-  std::vector<uint32_t>& which = of_light;
-  for (uint32_t light = 0; light < scene->lights.size(); ++light) {
-    some.clear();
-    which.clear();
-    for (size_t i = 0; i < batch.size(); ++i) {
-      const uint32_t s = next[i];
-      if (s == (*first)[i + 1] || shadows[s].light != light) continue;
-      ++next[i];
-      if (!shadows[s].traced) continue;
-      CellTracer::Shadow& shadow = some.emplace_back();
-      shadow.shadow = &shadows[s];
-      if (scene->any_transparent) shadow.crossings = &crossings[s];
-      which.push_back(s);
-    }
-    if (some.empty()) continue;
-    tracer->Shadows(some, &counts);
-    for (size_t k = 0; k < some.size(); ++k) {
-      const uint32_t s = which[k];
-      halted[s] = some[k].halt.cell;
-      if (halted[s] == kNoCell) arrived[s] = Arrives(&some[k]);
-    }
-  }
-}
-
-// Hit i of the batch waits for cells that its shadow rays need.
-void TraceProcess::Impl::PutAside(size_t i, std::span<const uint32_t> first) {
-  uint32_t slot;
+// The hit's waiting shade; made if there is none.
+WaitingShade& TraceProcess::Impl::Aside(const RayQueue& rays, size_t hit) {
+  uint32_t& slot = batch.aside[hit];
+  if (slot != kNotAside) return *waiting_shades[slot];
   if (free_waiting_shades.empty()) {
     slot = static_cast<uint32_t>(waiting_shades.size());
     waiting_shades.emplace_back();
@@ -93,22 +131,44 @@ void TraceProcess::Impl::PutAside(size_t i, std::span<const uint32_t> first) {
     slot = free_waiting_shades.back();
     free_waiting_shades.pop_back();
   }
-  auto shade = std::make_unique<WaitingShade>();
-  shade->ray = batch.bundle.rays[i];
-  const auto media = batch.media(i);
-  shade->media.assign(media.begin(), media.end());
-  shade->distance = distances[i];
-  shade->back = batch.travel[i].back;
-  shade->hit = resolved[i];
-  for (uint32_t s = first[i]; s < first[i + 1]; ++s) {
-    shade->shadows.push_back(shadows[s]);
-    shade->arrived.push_back(arrived[s]);
-    if (scene->any_transparent) shade->crossings.push_back(std::move(crossings[s]));
-    if (halted[s] == kNoCell) continue;
-    ++shade->unknown;
-    WaitFor(halted[s]).shadows.emplace_back(slot, s - first[i]);
+  waiting_shades[slot] = std::make_unique<WaitingShade>();
+  WaitingShade& shade = *waiting_shades[slot];
+  const size_t i = batch.rays[hit];
+  shade.ray = rays.bundle.rays[i];
+  const auto media = rays.media(i);
+  shade.media.assign(media.begin(), media.end());
+  shade.distance = batch.distances[hit];
+  shade.back = rays.travel[i].back;
+  shade.hit = batch.surfaces[hit];
+  shade.lights = batch.lights[hit];
+  return shade;
+}
+
+// A shadow ray needs a cell that is not held: its hit waits for the cell, or for the result where
+// shadow rays travel.
+void TraceProcess::Impl::Wait(const RayQueue& rays, size_t shadow, Outbox* outbox) {
+  ShadowBatch& s = shadows;
+  WaitingShade& shade = Aside(rays, s.hits[shadow]);
+  ShadowRay& ray = shade.shadows.emplace_back();
+  static_cast<LightSample&>(ray) = s.samples[shadow];
+  ray.ray = s.rays[shadow];
+  const uint32_t slot = batch.aside[s.hits[shadow]];
+  const uint32_t number = static_cast<uint32_t>(shade.shadows.size() - 1);
+  ++shade.unknown;
+  if (options.shadows == Shadows::kTravel) {
+    shade.arrived.push_back(kUnknown);
+    shade.crossings.emplace_back();
+    CellTracer::Shadow travelling;
+    travelling.ray = &ray.ray;
+    travelling.limit = ray.limit;
+    travelling.crossings = &s.crossings[shadow];
+    travelling.halt.cell = s.halted[shadow];
+    SendShadow({self, uint64_t{slot} << 32 | number}, travelling, ray.color, outbox);
+    return;
   }
-  waiting_shades[slot] = std::move(shade);
+  shade.arrived.push_back(0);
+  shade.crossings.push_back(std::exchange(s.crossings[shadow], {}));
+  WaitFor(s.halted[shadow]).shadows.emplace_back(slot, number);
 }
 
 // Shadow rays go on in a cell that has just arrived.
@@ -117,8 +177,10 @@ void TraceProcess::Impl::ResumeShadows(const std::vector<std::pair<uint32_t, uin
   std::vector<CellTracer::Shadow> some(waiters.size());
   for (size_t k = 0; k < waiters.size(); ++k) {
     WaitingShade& shade = *waiting_shades[waiters[k].first];
-    some[k].shadow = &shade.shadows[waiters[k].second];
-    if (scene->any_transparent) some[k].crossings = &shade.crossings[waiters[k].second];
+    const uint32_t s = waiters[k].second;
+    some[k].ray = &shade.shadows[s].ray;
+    some[k].limit = shade.shadows[s].limit;
+    if (scene->any_transparent) some[k].crossings = &shade.crossings[s];
     some[k].resume = cell;
     some[k].own_done = true;
   }
@@ -130,27 +192,32 @@ void TraceProcess::Impl::ResumeShadows(const std::vector<std::pair<uint32_t, uin
       WaitFor(some[k].halt.cell).shadows.emplace_back(slot, s);
       continue;
     }
-    shade.arrived[s] = Arrives(&some[k]);
-    if (--shade.unknown > 0) continue;
-    const std::unique_ptr<WaitingShade> done = std::move(waiting_shades[slot]);
-    free_waiting_shades.push_back(slot);
-    Lit(done->ray, done->media, done->distance, done->hit, done->shadows, done->arrived, done->back,
-        outbox);
+    shade.arrived[s] = Arrives(some[k].blocked, &shade.crossings[s], &shade.shadows[s].color);
+    if (--shade.unknown == 0) FinishWaiting(slot, outbox);
   }
 }
 
-// All shadow rays of a hit are decided: lights are folded, secondary rays spawned.
+// The last shadow ray of a waiting hit is decided.
+void TraceProcess::Impl::FinishWaiting(uint32_t slot, Outbox* outbox) {
+  const std::unique_ptr<WaitingShade> done = std::move(waiting_shades[slot]);
+  free_waiting_shades.push_back(slot);
+  for (size_t l = 0; l < done->shadows.size(); ++l) {
+    if (!done->arrived[l]) continue;
+    AddLight(done->hit, done->shadows[l], done->shadows[l].color, &done->lights);
+  }
+  Lit(done->ray, done->media, done->distance, done->hit, done->lights, done->back, outbox);
+}
+
+// All lights of a hit are folded: secondary rays are spawned, into the queue.
 void TraceProcess::Impl::Lit(const Ray& ray, std::span<const Medium> media, double distance,
-                             const SurfaceHit& hit, std::span<const ShadowRay> of_hit,
-                             std::span<const uint8_t> of_hit_arrived, const ReturnAddress& back,
+                             const SurfaceHit& hit, const Color& lights, const ReturnAddress& back,
                              Outbox* outbox) {
-  const Color lights = ShadeLights(*scene, ray, hit, of_hit, of_hit_arrived);
   ++counts.shades;
-  transmitted.clear();
-  reflected.clear();
+  RayQueue& next = queue.OfDepth(ray.depth + 1u);
+  const size_t before = next.size();
   Secondary secondary;
-  SpawnSecondary(*scene, ray, media, hit, &transmitted, &reflected, &secondary);
-  if (transmitted.empty() && reflected.empty()) {
+  SpawnSecondary(*scene, ray, media, hit, &next.bundle, &next.bundle, &secondary);
+  if (next.bundle.size() == before) {
     Deliver(back, ray.kind, Shade(*scene, ray, media.empty(), distance, lights, secondary, {}, {}),
             outbox);
     return;
@@ -164,38 +231,36 @@ void TraceProcess::Impl::Lit(const Ray& ray, std::span<const Medium> media, doub
   p.lights = lights;
   p.secondary = secondary;
   if (!scene->spec.atmosphere.effects.empty()) p.ray = ray;
-  p.reflected_waits = !transmitted.empty() && !reflected.empty();
-  if (transmitted.empty()) {
-    Launch(reflected, {self, slot << 1 | 1});
-    return;
+  p.reflected_waits = next.bundle.size() == before + 2;
+  if (p.reflected_waits) {
+    Ray& reflected = next.bundle.rays.back();
+    p.waiting.clear();
+    const auto first = next.bundle.media.begin() + reflected.media_begin;
+    p.waiting.media.assign(first, next.bundle.media.end());
+    next.bundle.media.erase(first, next.bundle.media.end());
+    reflected.media_begin = 0;
+    p.waiting.rays.push_back(reflected);
+    next.bundle.rays.pop_back();
   }
-  if (p.reflected_waits) p.waiting = reflected;
-  Launch(transmitted, {self, slot << 1});
+  const RayKind kind = next.bundle.rays.back().kind;
+  next.travel.emplace_back().back = {self, slot << 1 | (kind == RayKind::kReflected)};
+  CountLaunched(kind);
 }
 
 // A secondary ray starts here, where it was spawned.
-void TraceProcess::Impl::Launch(const RayBundle& one, const ReturnAddress& back) {
-  const Ray& ray = one.rays[0];
-  if (ray.kind == RayKind::kReflected) {
-    ++counts.reflected_rays;
-  } else {
-    ++counts.refracted_rays;
-  }
+void TraceProcess::Impl::CountLaunched(RayKind kind) {
+  ++(kind == RayKind::kReflected ? counts.reflected_rays : counts.refracted_rays);
   ++statistics.data_rays;
-  Travel travel;
-  travel.back = back;
-  queue.Push(ray, std::span(one.media).subspan(ray.media_begin, ray.media_count), travel);
 }
 
 void TraceProcess::Impl::Deliver(const ReturnAddress& back, RayKind kind, const RayResult& result,
                                  Outbox* outbox) {
   if (kind == RayKind::kPrimary) {
-    packer->AddPixel({back.token, result.color, result.hit}, outbox);
+    packer->AddPixel({back.token, result.color}, result.hit, outbox);
   } else if (back.process == self) {
     TakeResult(back.token, result, outbox);
   } else {
-    packer->AddResult(back.process, {back.token, result.color, result.distance, result.hit},
-                      outbox);
+    packer->AddResult(back.process, {back.token, result.color, result.distance}, outbox);
   }
 }
 
@@ -206,7 +271,10 @@ void TraceProcess::Impl::TakeResult(uint64_t token, const RayResult& result, Out
   if (p.reflected_waits) {
     p.transmitted = result;
     p.reflected_waits = false;
-    Launch(p.waiting, {self, slot << 1 | 1});
+    Travel travel;
+    travel.back = {self, slot << 1 | 1};
+    queue.Push(p.waiting.rays[0], p.waiting.media, travel);
+    CountLaunched(RayKind::kReflected);
     return;
   }
   const bool both = p.secondary.transmitted.wanted && p.secondary.reflected.wanted;

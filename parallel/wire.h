@@ -8,6 +8,7 @@
 // bits), then the elements; std::optional: one byte, then the value.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <cstring>
@@ -16,6 +17,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -33,9 +35,11 @@ class WireError : public std::runtime_error {
 template <class T>
 concept WireNumber = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 
+// A struct that lies in memory as it does on the wire (its Fields in order, no padding) says so by
+// kPacked: vectors of it are copied as a whole.
 template <class T>
-concept ShareableVector = requires(T p) {
-  typename T::element_type::value_type;
+concept WirePacked = WireNumber<T> || requires {
+  requires T::kPacked;
 };
 
 class ByteWriter {
@@ -62,7 +66,8 @@ class ByteWriter {
   template <class T>
   void Put(const std::vector<T>& values) {
     Put(static_cast<uint32_t>(values.size()));
-    if constexpr (WireNumber<T>) {
+    if constexpr (WirePacked<T>) {
+      static_assert(std::is_trivially_copyable_v<T>);
       Append(values.data(), values.size() * sizeof(T));
     } else {
       for (const T& v : values) Put(v);
@@ -98,17 +103,26 @@ class ByteWriter {
   // Bytes that are encoded already.
   void PutRaw(const std::vector<uint8_t>& encoded) { Append(encoded.data(), encoded.size()); }
 
-  size_t size() const { return bytes_.size(); }
-  std::vector<uint8_t>& bytes() { return bytes_; }
+  size_t size() const { return size_; }
+  // What has been put, until the next call.
+  std::span<const uint8_t> bytes() const { return {bytes_.data(), size_}; }
+  void clear() { size_ = 0; }
+  // The same, given away; the writer is empty then.
+  std::vector<uint8_t> Take() {
+    bytes_.resize(std::exchange(size_, 0));
+    return std::exchange(bytes_, {});
+  }
 
  private:
   void Append(const void* from, size_t count) {
-    const size_t at = bytes_.size();
-    bytes_.resize(at + count);
-    if (count > 0) std::memcpy(bytes_.data() + at, from, count);
+    if (count > bytes_.size() - size_)
+      bytes_.resize(std::max(2 * bytes_.size(), size_ + count + 64));
+    if (count > 0) std::memcpy(bytes_.data() + size_, from, count);
+    size_ += count;
   }
 
-  std::vector<uint8_t> bytes_;
+  std::vector<uint8_t> bytes_;  // the first size_ of them count
+  size_t size_ = 0;
 };
 
 class ByteReader {
@@ -146,7 +160,7 @@ class ByteReader {
   }
   template <class T>
   void Get(std::vector<T>& values) {
-    if constexpr (WireNumber<T>) {
+    if constexpr (WirePacked<T>) {
       values.resize(Count(sizeof(T)));
       if (values.empty()) return;
       std::memcpy(values.data(), bytes_.data() + at_, values.size() * sizeof(T));

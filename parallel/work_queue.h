@@ -15,13 +15,19 @@ namespace rayshade::parallel {
 inline bool ForwardsRays(Schedule schedule) { return schedule != Schedule::kDemandDriven; }
 // A hit: shaded by the owner of the cell in which it lies, or where it was found.
 inline bool TransfersHits(Schedule schedule) { return schedule != Schedule::kDemandDriven; }
+// Rays meet the cells that were fetched for shadow rays as well; else the voxel alone, so that
+// which rays are handed on does not depend on what was fetched before.
+inline bool SearchesCache(Schedule schedule) { return schedule != Schedule::kDataParallel; }
 // Primary rays: on request, or pushed to the voxels that they enter.
 inline bool AsksForWork(Schedule schedule) { return schedule != Schedule::kDataParallel; }
 
 // Most rays traced in one step; small enough that arriving messages do not wait long.
 inline constexpr size_t kRaysPerStep = 512;
+// So many are worth a step of their own: fewer are traced badly, but what waits for their results
+// would leave the processor's cache.
+inline constexpr size_t kRaysWorthAStep = 64;
 // Requests for primary rays that may be unanswered at once: one pyramid in work, one on its way.
-inline constexpr int kRequestsAhead = 2;
+inline constexpr int kRequestsAhead = 3;
 // Requests for cells that may be unanswered at once.
 inline constexpr size_t kCellsAhead = 8;
 // Packs that are not full are sent after so many steps.
@@ -31,15 +37,22 @@ inline constexpr int kStepsPerFlush = 8;
 class WorkQueue {
  public:
   void Push(const Ray& ray, std::span<const Medium> media, const Travel& travel) {
-    if (ray.depth >= by_depth_.size()) by_depth_.resize(ray.depth + 1);
-    by_depth_[ray.depth].Push(ray, media, travel);
-    ++size_;
+    OfDepth(ray.depth).Push(ray, media, travel);
   }
-  // A full step of rays of one depth, the deepest first; false where there is none.
-  bool PopFull(RayQueue* rays) { return PopAtLeast(kRaysPerStep, rays); }
+  // Those of one depth, for more of them to be added.
+  RayQueue& OfDepth(size_t depth) {
+    if (depth >= by_depth_.size()) by_depth_.resize(depth + 1);
+    return by_depth_[depth];
+  }
+  // A step of rays of one depth, the deepest of which there are enough; false where there is none.
+  bool PopEnough(RayQueue* rays) { return PopAtLeast(kRaysWorthAStep, rays); }
   // The deepest rays, however few.
   bool PopAny(RayQueue* rays) { return PopAtLeast(1, rays); }
-  size_t size() const { return size_; }
+  size_t size() const {
+    size_t size = 0;
+    for (const RayQueue& q : by_depth_) size += q.size();
+    return size;
+  }
   size_t bytes() const {
     size_t bytes = 0;
     for (const RayQueue& q : by_depth_) bytes += q.bytes();
@@ -51,20 +64,20 @@ class WorkQueue {
     for (size_t d = by_depth_.size(); d-- > 0;) {
       if (by_depth_[d].size() < least) continue;
       by_depth_[d].Pop(kRaysPerStep, rays);
-      size_ -= rays->size();
       return true;
     }
     return false;
   }
 
   std::vector<RayQueue> by_depth_;
-  size_t size_ = 0;
 };
 
-// A process is short of work when it has less than half a pyramid to trace; what waits for cells
-// counts as work up to two pyramids, so that a process does not pile up waiting rays.
+// A process is short of work when it has less than two pyramids to trace, so that it does not stand
+// still until the host has answered; what waits for cells counts as work as well, so that waiting
+// rays do not pile up.
 inline bool ShortOfWork(size_t ready, size_t waiting, uint32_t pyramid) {
-  return ready < (pyramid + 1) / 2 && waiting < 2 * static_cast<size_t>(pyramid);
+  const size_t enough = 2 * static_cast<size_t>(pyramid);
+  return ready < enough && waiting < enough;
 }
 
 }  // namespace rayshade::parallel

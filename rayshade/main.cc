@@ -3,6 +3,7 @@
 #include <new>
 
 #include "rayshade/common/diagnostics.h"
+#include "rayshade/common/transform_chain.h"
 #include "rayshade/render/render_picture.h"
 #include "rayshade/scene/options.h"
 #include "rayshade/scene/parse.h"
@@ -21,6 +22,8 @@ int main(int argc, char** argv) {
     return RenderPictures(*result.options, &scene, &diagnostics, stopwatch);
   } catch (const std::bad_alloc&) {
     diagnostics.Report(Severity::kError, {}, "Out of memory.");
+  } catch (const DegenerateTransform& e) {
+    diagnostics.Report(Severity::kFatal, {}, e.what());
   } catch (const std::exception& e) {
     diagnostics.Report(Severity::kError, {}, e.what());
   }

@@ -8,6 +8,7 @@
 #include "parallel/pvm/compare.h"
 #include "parallel/pvm/host_run.h"
 #include "rayshade/common/diagnostics.h"
+#include "rayshade/common/transform_chain.h"
 #include "rayshade/render/render_picture.h"
 #include "rayshade/scene/options.h"
 #include "rayshade/scene/parse.h"
@@ -32,6 +33,8 @@ int main(int argc, char** argv) {
     return Compare({argv, argv + argc}, parallel, spool.settings(), run.statistics());
   } catch (const std::bad_alloc&) {
     diagnostics.Report(Severity::kError, {}, "Out of memory.");
+  } catch (const DegenerateTransform& e) {
+    diagnostics.Report(Severity::kFatal, {}, e.what());
   } catch (const std::exception& e) {
     diagnostics.Report(Severity::kError, {}, e.what());
   }

@@ -73,7 +73,10 @@ int HostRun::Run() {
   stats().distribute_seconds += EndPhase();
 
   report_data_.Finish(run_);
-  if (reports()) ReportStatistics(stats().operations, CpuTimeUsed(), PeakBytes(), report());
+  if (reports()) {
+    ReportStatistics(stats().operations, spool_->kinds_read(), CpuTimeUsed(), PeakBytes(),
+                     report());
+  }
   if (!options_.stats_file.empty()) WriteStats(stats(), options_.stats_file);
   return 0;
 }
@@ -92,7 +95,9 @@ bool HostRun::CheckBeforehand() {
 
 bool HostRun::OpenReport() {
   if (settings_.report_file.empty()) return true;
-  report_.reset(std::fopen(settings_.report_file.c_str(), "w"));
+  // The file of -V was begun while the scene was read.
+  report_.reset(
+      std::fopen(settings_.report_file.c_str(), options_.report_file.empty() ? "w" : "a"));
   if (report_) return true;
   diagnostics_->Report(Severity::kFatal, {},
                        "Cannot open stats file " + settings_.report_file + ".");
@@ -162,7 +167,7 @@ void HostRun::Restore(const std::string& file, int frame, HostProcess* host) {
 }
 
 void HostRun::ReportScene(const HostProcess& host, int frame) {
-  ReportWorld(host.tree().bounds(), spool_->size(), report());
+  ReportWorld(host.tree().bounds(), spool_->primitives_placed(), report());
   if (frame != settings_.first_frame) return;
   ReportOptions(settings_, Camera(settings_, frame).window(), report());
   std::fprintf(report(), "%d trace processes on %zu PVM hosts, %s.\n", run_.processes,

@@ -52,6 +52,8 @@ Machine ParseMachine(const std::string& name, const std::string& text) {
   for (std::string line; std::getline(lines, line);) ReadLine(name, ++number, line, wanted, &seen);
   for (const auto& [key, value] : wanted)
     if (!seen.contains(key)) Refuse(name, number, key + " is missing");
+  if (machine.slowness <= 0 || machine.node_slowness <= 0)
+    Refuse(name, number, "slowness and node_slowness are more than nothing");
   if (machine.nodes < 1 || machine.processors < 1 || machine.process_bytes() <= 0)
     Refuse(name, number, "a machine has nodes, processors and memory beside its system");
   machine.name = name;
@@ -59,14 +61,15 @@ Machine ParseMachine(const std::string& name, const std::string& text) {
 }
 
 Machine FindMachine(const std::string& name_or_file) {
-  const std::string text = BuiltInMachine(name_or_file);
-  if (!text.empty()) return ParseMachine(name_or_file, text);
-  std::ifstream file(name_or_file);
-  if (!file) {
-    throw std::runtime_error(
-        "--machine " + name_or_file +
-        ": neither a machine (powerxplorer, cluster-1g, cluster-100g) nor a file to be read");
+  std::string names;
+  for (const BuiltInMachine& machine : BuiltInMachines()) {
+    if (machine.name == name_or_file) return ParseMachine(name_or_file, machine.text);
+    names += (names.empty() ? "" : ", ") + std::string(machine.name);
   }
+  std::ifstream file(name_or_file);
+  if (!file)
+    throw std::runtime_error("--machine " + name_or_file + ": neither a machine (" + names +
+                             ") nor a file that can be read");
   return ParseMachine(name_or_file,
                       {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()});
 }

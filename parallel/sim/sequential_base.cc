@@ -32,13 +32,13 @@ void AddObjects(ObjectSpool* spool, Scene* scene, ObjectSet* set) {
     }
     std::shared_ptr<const Geom>& member = members[object.member];
     if (member == nullptr) member = MakeGeom(object.geom, scene->shutter);
-    set->Add(member, placement->second, object.rank);
+    set->Add(member, object.geom.index(), placement->second, object.rank);
   }
 }
 
 }  // namespace
 
-WorkDone SequentialWork(ObjectSpool* spool, int frame) {
+WorkDone SequentialWork(ObjectSpool* spool, int frame, Picture* picture) {
   Scene scene(spool->scene(), frame);
   ObjectSet objects(&scene);
   AddObjects(spool, &scene, &objects);
@@ -59,6 +59,7 @@ WorkDone SequentialWork(ObjectSpool* spool, int frame) {
     for (size_t i = 0; i < samples.size(); ++i) sampling.Put(samples[i], results[i]);
     work.samples += 2 * samples.size();
   }
+  if (picture != nullptr) *picture = sampling.picture();
   return work;
 }
 

@@ -4,10 +4,11 @@
 
 #include "parallel/object_spool.h"
 #include "parallel/process.h"
+#include "rayshade/image/picture.h"
 
 namespace rayshade::parallel {
 
-// Renders the frame that the spool was placed for, and throws the picture away.
-WorkDone SequentialWork(ObjectSpool* spool, int frame);
+// Renders the frame that the spool was placed for. picture: where it is wanted.
+WorkDone SequentialWork(ObjectSpool* spool, int frame, Picture* picture = nullptr);
 
 }  // namespace rayshade::parallel

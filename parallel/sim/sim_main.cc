@@ -3,6 +3,7 @@
 #include <new>
 
 #include "parallel/object_spool.h"
+#include "parallel/sim/fault_command.h"
 #include "parallel/sim/sim_options.h"
 #include "parallel/sim/sim_run.h"
 #include "rayshade/common/diagnostics.h"
@@ -21,6 +22,7 @@ int main(int argc, char** argv) {
     const SimOptions sim = ParseSimOptions(options);
     ObjectSpool spool;
     if (!ParseScene(options, &diagnostics, &spool)) return diagnostics.exit_status();
+    if (sim.fault_seed) return RenderUnderFaults(options, sim, &spool, &diagnostics);
     return SimRun(options, sim, &spool, &diagnostics).Run();
   } catch (const std::bad_alloc&) {
     diagnostics.Report(Severity::kError, {}, "Out of memory.");

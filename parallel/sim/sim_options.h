@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,8 @@ struct SimOptions {
   ParallelOptions parallel;
   std::string machine = "powerxplorer";
   uint64_t schedule_seed = 1;
+  std::optional<uint64_t> fault_seed;
+  std::string transcript_file;  // "": none; "-": standard output
 };
 
 // Those of prayshade but --compare, and its own.

@@ -39,38 +39,42 @@ RunOptions OptionsFor(const ParallelOptions& parallel, const Machine& machine) {
 
 }  // namespace
 
+void WriteFrame(const Picture& picture, const Settings& settings, int frame) {
+  WritePng(picture, FrameFile(settings, frame), settings.gamma, AlphaOf(settings));
+}
+
 SimulatedFrame::SimulatedFrame(const Machine& machine, const RunOptions& options, uint64_t seed,
                                ObjectSpool* spool, int frame)
     : machine_(machine),
-      host_(options, spool, frame),
-      timing_(machine, options.processes + size_t{1}, seed),
-      meters_(options.processes + size_t{1}) {
-  std::vector<Process*> processes{&host_};
-  std::vector<SimulatedMeter*> meters{&meters_[0]};
-  for (size_t i = 1; i < meters_.size(); ++i) {
-    trace_.push_back(std::make_unique<TraceProcess>(&meters_[i]));
-    processes.push_back(trace_.back().get());
-    meters.push_back(&meters_[i]);
-  }
-  simulator_ = std::make_unique<Simulator>(processes, &timing_, meters, this);
+      processes_(options, spool, frame),
+      timing_(machine, processes_.all.size(), seed),
+      simulator_(processes_.all, &timing_, processes_.all_meters),
+      process_bytes_(processes_.all.size()),
+      node_bytes_(processes_.all.size()) {
+  simulator_.AddListener(this);
 }
 
-SimulatedFrame::~SimulatedFrame() = default;
-
 void SimulatedFrame::Run() {
-  simulator_->Run();
-  if (!host_.failure().empty()) throw std::runtime_error(host_.failure());
+  simulator_.Run();
+  if (!host().failure().empty()) throw std::runtime_error(host().failure());
+}
+
+// What the trace processes of a node hold, against the node's memory.
+void SimulatedFrame::CheckMemory(ProcessId process) {
+  const size_t node = static_cast<size_t>((process - 1) / machine_.processors);
+  const uint64_t bytes = simulator_.bytes_held(process);
+  node_bytes_[node] += bytes - process_bytes_[process];
+  process_bytes_[process] = bytes;
+  const auto allowed = static_cast<uint64_t>(machine_.process_bytes() * machine_.processors);
+  if (node_bytes_[node] <= allowed) return;
+  throw std::runtime_error("out of memory: the trace processes of node " + std::to_string(node) +
+                           " hold " + std::to_string(node_bytes_[node]) + " bytes, it has " +
+                           std::to_string(allowed));
 }
 
 void SimulatedFrame::OnStep(ProcessId process, double, double end, size_t) {
-  if (process != kHost) {
-    if (static_cast<double>(meters_[process].bytes_max) <= machine_.process_bytes()) return;
-    throw std::runtime_error("out of memory: trace process " + std::to_string(process) + " holds " +
-                             std::to_string(meters_[process].bytes_max) +
-                             " bytes, its node allows " +
-                             std::to_string(static_cast<uint64_t>(machine_.process_bytes())));
-  }
-  const HostProcess::Phase phase = host_.phase();
+  if (process != kHost) return CheckMemory(process);
+  const HostProcess::Phase phase = host().phase();
   if (phase == phase_) return;
   if (phase == HostProcess::Phase::kTrace) trace_begin_seconds_ = end;
   if (phase == HostProcess::Phase::kStop) trace_end_seconds_ = end;
@@ -86,7 +90,8 @@ SimRun::SimRun(const Options& options, const SimOptions& sim, ObjectSpool* spool
       diagnostics_(diagnostics),
       settings_(spool->settings()),
       machine_(FindMachine(sim.machine)),
-      run_(OptionsFor(sim.parallel, machine_)) {}
+      run_(OptionsFor(sim.parallel, machine_)),
+      transcript_(sim.transcript_file) {}
 
 int SimRun::Run() {
   const std::string problem = CheckView(settings_);
@@ -111,6 +116,12 @@ bool SimRun::RenderFrame(int frame) {
     return false;
   }
   SimulatedFrame run(machine_, run_, sim_.schedule_seed, spool_, frame);
+  if (Transcript* transcript = transcript_.get()) {
+    transcript->Headline("frame " + std::to_string(frame) + ", " + sim_.machine + ", seed " +
+                         std::to_string(sim_.schedule_seed) + ": " + Name(run_.schedule) + ", " +
+                         std::to_string(run_.processes) + " processes");
+    run.AddListener(transcript);
+  }
   run.Run();
 
   std::vector<std::string> nodes;
@@ -124,8 +135,7 @@ bool SimRun::RenderFrame(int frame) {
     WriteTimeline(sim_.parallel.timeline_file, run_, run.host(), run.trace_begin_seconds(),
                   run.trace_end_seconds());
   }
-  WritePng(run.host().sampling().picture(), FrameFile(settings_, frame), settings_.gamma,
-           AlphaOf(settings_));
+  WriteFrame(run.host().sampling().picture(), settings_, frame);
 
   sequential_seconds_ += CostOf(machine_, SequentialWork(spool_, frame));
   smallest_seconds_ += SmallestSeconds(frame);

@@ -2,18 +2,16 @@
 // figures of --stats simulated. The counterpart of pvm/host_run.h.
 #pragma once
 
-#include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "parallel/host_process.h"
 #include "parallel/object_spool.h"
 #include "parallel/run_report.h"
 #include "parallel/sim/machine.h"
+#include "parallel/sim/run_processes.h"
 #include "parallel/sim/sim_options.h"
 #include "parallel/sim/simulator.h"
-#include "parallel/trace_process.h"
+#include "parallel/sim/transcript_file.h"
 #include "rayshade/common/diagnostics.h"
 
 namespace rayshade::parallel {
@@ -25,13 +23,13 @@ class SimulatedFrame : public SimulatorListener {
   // suffice.
   SimulatedFrame(const Machine& machine, const RunOptions& options, uint64_t seed,
                  ObjectSpool* spool, int frame);
-  ~SimulatedFrame() override;
 
+  void AddListener(SimulatorListener* listener) { simulator_.AddListener(listener); }
   // Throws what makes the run fail: the machine's memory, a malformed message, a hang.
   void Run();
 
-  const HostProcess& host() const { return host_; }
-  const Simulator& simulator() const { return *simulator_; }
+  const HostProcess& host() const { return processes_.host; }
+  const Simulator& simulator() const { return simulator_; }
   double trace_begin_seconds() const { return trace_begin_seconds_; }
   double trace_end_seconds() const { return trace_end_seconds_; }
   double trace_seconds() const { return trace_end_seconds_ - trace_begin_seconds_; }
@@ -40,15 +38,19 @@ class SimulatedFrame : public SimulatorListener {
   void OnStep(ProcessId process, double begin, double end, size_t bytes) override;
 
  private:
+  void CheckMemory(ProcessId process);
+
   const Machine machine_;
-  HostProcess host_;
+  RunProcesses processes_;
   MachineTiming timing_;
-  std::vector<SimulatedMeter> meters_;
-  std::vector<std::unique_ptr<TraceProcess>> trace_;
-  std::unique_ptr<Simulator> simulator_;
+  Simulator simulator_;
+  std::vector<uint64_t> process_bytes_, node_bytes_;  // held now, by process and by node
   HostProcess::Phase phase_ = HostProcess::Phase::kSetUp;
   double trace_begin_seconds_ = 0, trace_end_seconds_ = 0, end_seconds_ = 0;
 };
+
+// The file that the options name, for a frame.
+void WriteFrame(const Picture& picture, const Settings& settings, int frame);
 
 class SimRun {
  public:
@@ -71,6 +73,7 @@ class SimRun {
   const Settings settings_;
   Machine machine_;
   RunOptions run_;
+  TranscriptFile transcript_;
   RunReport report_;
   double sequential_seconds_ = 0;  // of all frames
   double smallest_seconds_ = 0;    // tracing by `smallest_` processes

@@ -22,7 +22,9 @@ class Simulator::SimulatedOutbox : public Outbox {
     if (count.messages == 0) count.name = NameOf(tag);
     ++count.messages;
     count.bytes += bytes.size();
-    s.outgoing_.push_back(s.NewParcel(from_, to, std::move(bytes)));
+    const uint32_t parcel = s.NewParcel({from_, to, std::move(bytes)});
+    s.outgoing_.push_back(parcel);
+    s.Tell([&](SimulatorListener* l) { l->OnSend(s.parcels_[parcel]); });
   }
 
  private:
@@ -31,30 +33,24 @@ class Simulator::SimulatedOutbox : public Outbox {
 };
 
 Simulator::Simulator(std::vector<Process*> processes, Timing* timing,
-                     std::vector<SimulatedMeter*> meters, SimulatorListener* listener)
-    : timing_(timing), meters_(std::move(meters)), listener_(listener) {
+                     std::vector<SimulatedMeter*> meters)
+    : timing_(timing), meters_(std::move(meters)) {
   CHECK(meters_.empty() || meters_.size() == processes.size());
   states_.resize(processes.size());
   for (size_t i = 0; i < processes.size(); ++i) states_[i].process = processes[i];
 }
 
-Simulator::Simulator(std::vector<Process*> processes, uint64_t seed)
-    : Simulator(processes, nullptr) {
-  own_timing_ = std::make_unique<RandomTiming>(processes.size(), seed);
-  timing_ = own_timing_.get();
-}
-
 Simulator::~Simulator() = default;
 
-uint32_t Simulator::NewParcel(ProcessId from, ProcessId to, std::vector<uint8_t> bytes) {
-  CHECK(to < states_.size());
+uint32_t Simulator::NewParcel(SimulatedMessage message) {
+  CHECK(message.to < states_.size());
   if (free_parcels_.empty()) {
     free_parcels_.push_back(static_cast<uint32_t>(parcels_.size()));
     parcels_.emplace_back();
   }
   const uint32_t parcel = free_parcels_.back();
   free_parcels_.pop_back();
-  parcels_[parcel] = {from, to, std::move(bytes)};
+  parcels_[parcel] = std::move(message);
   return parcel;
 }
 
@@ -63,10 +59,10 @@ void Simulator::Push(double at, Kind kind, uint32_t which) {
 }
 
 void Simulator::Depart(uint32_t parcel) {
-  const Parcel& p = parcels_[parcel];
-  if (listener_) listener_->OnSend(p.from, p.to, p.bytes, now_);
+  const SimulatedMessage& p = parcels_[parcel];
   double& last = last_arrival_[uint32_t{p.from} << 16 | p.to];
   last = std::max(last, timing_->ArrivalTime(p.from, p.to, p.bytes.size(), now_));
+  Tell([&](SimulatorListener* l) { l->OnDepart(p, now_, last); });
   Push(last, Kind::kArrive, parcel);
 }
 
@@ -83,9 +79,10 @@ size_t Simulator::TakeIn(ProcessId id) {
   State& state = states_[id];
   const uint32_t number = state.inbox.front();
   state.inbox.pop_front();
-  const Parcel parcel = std::move(parcels_[number]);
+  const SimulatedMessage parcel = std::move(parcels_[number]);
   free_parcels_.push_back(number);
   state.inbox_bytes -= parcel.bytes.size();
+  Tell([&](SimulatorListener* l) { l->OnTake(parcel); });
   SimulatedOutbox outbox(this, id);
   state.process->Receive(parcel.from, parcel.bytes, &outbox);
   state.may_work = true;
@@ -94,6 +91,8 @@ size_t Simulator::TakeIn(ProcessId id) {
 
 void Simulator::Step(ProcessId id) {
   State& state = states_[id];
+  state.busy = false;
+  if (state.process->finished()) return;
   size_t taken = 0;
   bool made = true;
   if (!state.inbox.empty() && !(state.may_work && timing_->WorksFirst(id))) {
@@ -120,10 +119,40 @@ void Simulator::Step(ProcessId id) {
   Push(end, Kind::kFree, id);
   if (!meters_.empty()) {
     meters_[id]->busy.Add(now_, end);
-    meters_[id]->bytes_max =
-        std::max(meters_[id]->bytes_max, state.process->bytes_held() + state.inbox_bytes);
+    meters_[id]->bytes_max = std::max(meters_[id]->bytes_max, bytes_held(id));
   }
-  if (listener_) listener_->OnStep(id, now_, end, taken);
+  Tell([&](SimulatorListener* l) { l->OnStep(id, now_, end, taken); });
+}
+
+uint64_t Simulator::bytes_held(ProcessId process) const {
+  return states_[process].process->bytes_held() + states_[process].inbox_bytes;
+}
+
+bool Simulator::idles(ProcessId process) const {
+  const State& state = states_[process];
+  return !state.busy && !state.process->finished() && (!state.inbox.empty() || state.may_work);
+}
+
+void Simulator::MakeEvent() {
+  if (events_made_++ == events_max_) {
+    throw std::runtime_error("the run does not end: " + std::to_string(events_max_) +
+                             " events were made");
+  }
+  const Event event = events_.top();
+  events_.pop();
+  now_ = event.at;
+  switch (event.kind) {
+    case Kind::kDepart:
+      Depart(event.which);
+      break;
+    case Kind::kArrive:
+      Arrive(event.which);
+      break;
+    case Kind::kFree:
+      Step(static_cast<ProcessId>(event.which));
+      break;
+  }
+  Tell([](SimulatorListener* l) { l->OnEvent(); });
 }
 
 void Simulator::Run() {
@@ -131,21 +160,12 @@ void Simulator::Run() {
   while (!states_[kHost].process->finished()) {
     if (events_.empty())
       throw std::runtime_error("the run hangs: no process has work, no message is under way");
-    const Event event = events_.top();
-    events_.pop();
-    now_ = event.at;
-    switch (event.kind) {
-      case Kind::kDepart:
-        Depart(event.which);
-        break;
-      case Kind::kArrive:
-        Arrive(event.which);
-        break;
-      case Kind::kFree:
-        Step(static_cast<ProcessId>(event.which));
-        break;
-    }
+    MakeEvent();
   }
+}
+
+void Simulator::Drain() {
+  while (!events_.empty()) MakeEvent();
 }
 
 uint64_t Simulator::messages(Tag tag) const {

@@ -2,7 +2,6 @@
 #include "parallel/sim/timing.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "rayshade/common/keyed_random.h"
 
@@ -17,14 +16,15 @@ double Difference(uint64_t after, uint64_t before) { return static_cast<double>(
 // Rays, operations and objects of `after` that are not in `before`.
 double CostBetween(const Machine& m, const WorkDone& before, const WorkDone& after) {
   const OpCounts &a = before.counts, &b = after.counts;
-  return m.ray * Difference(b.total_rays(), a.total_rays()) +
-         m.node_visit * Difference(b.node_visits, a.node_visits) +
-         m.primitive_test * Difference(b.primitive_tests, a.primitive_tests) +
-         m.cell_step * Difference(b.cell_steps, a.cell_steps) +
-         m.shade * Difference(b.shades, a.shades) +
-         m.light_sample * Difference(b.light_samples, a.light_samples) +
-         m.object * Difference(after.objects_taken, before.objects_taken) +
-         m.sample * Difference(after.samples, before.samples);
+  const double operations = m.ray * Difference(b.total_rays(), a.total_rays()) +
+                            m.node_visit * Difference(b.node_visits, a.node_visits) +
+                            m.primitive_test * Difference(b.primitive_tests, a.primitive_tests) +
+                            m.cell_step * Difference(b.cell_steps, a.cell_steps) +
+                            m.shade * Difference(b.shades, a.shades) +
+                            m.light_sample * Difference(b.light_samples, a.light_samples) +
+                            m.object * Difference(after.objects_taken, before.objects_taken) +
+                            m.sample * Difference(after.samples, before.samples);
+  return m.slowness * m.node_slowness * operations;
 }
 
 }  // namespace
@@ -78,27 +78,6 @@ double MachineTiming::ArrivalTime(ProcessId from, ProcessId to, size_t bytes, do
   const double in_end = std::max(end + machine_.latency, in_begin + n * machine_.gap);
   in_free_[target] = in_begin + n * machine_.gap;
   return in_end;
-}
-
-RandomTiming::RandomTiming(size_t processes, uint64_t seed) : random_(MixBits(seed)) {
-  // One process in four is up to 50 times as slow as the others.
-  for (size_t i = 0; i < processes; ++i)
-    slowness_.push_back(Draw() < 0.25 ? 1 + 50 * Draw() * Draw() : 1);
-  const double kind = Draw();
-  lateness_ = 10 * kind * kind * kind;
-}
-
-double RandomTiming::Draw() {
-  random_ = MixBits(random_);
-  return UnitOf(random_);
-}
-
-double RandomTiming::StepSeconds(ProcessId process, const WorkDone&, const WorkDone&) {
-  return slowness_[process] * (0.01 + Draw());
-}
-
-double RandomTiming::ArrivalTime(ProcessId, ProcessId, size_t, double now) {
-  return now + lateness_ * -std::log(1 - Draw());
 }
 
 }  // namespace rayshade::parallel

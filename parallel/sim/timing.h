@@ -1,6 +1,5 @@
-// How long things take in a simulated run. Two models: a machine's cost model, and random times
-// that put events into every order that PVM allows. No clock: times follow from counts, sizes and a
-// seed.
+// How long things take in a simulated run: by a machine's cost model here, at random in
+// fault_plan.h. No clock: times follow from counts, sizes and a seed.
 #pragma once
 
 #include <cstdint>
@@ -49,25 +48,5 @@ class MachineTiming : public Timing {
 
 // Seconds that the counted work costs on the machine.
 double CostOf(const Machine& machine, const WorkDone& work);
-
-// Every order that keeps each link's: some processes slow, some messages late, work and arrivals
-// interleaved.
-class RandomTiming : public Timing {
- public:
-  RandomTiming(size_t processes, uint64_t seed);
-
-  double StepSeconds(ProcessId process, const WorkDone& before, const WorkDone& after) override;
-  double SendSeconds(size_t) override { return 0; }
-  double ReceiveSeconds(size_t) override { return 0; }
-  double ArrivalTime(ProcessId from, ProcessId to, size_t bytes, double now) override;
-  bool WorksFirst(ProcessId) override { return Draw() < 0.5; }
-
- private:
-  double Draw();  // in [0, 1)
-
-  uint64_t random_;
-  std::vector<double> slowness_;  // by process
-  double lateness_;               // mean delay of a message
-};
 
 }  // namespace rayshade::parallel

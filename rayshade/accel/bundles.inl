@@ -108,8 +108,8 @@ RAYSHADE_KERNEL BundleEntry* PushMet(const TraceView& view, const Bundle& b, con
   return top;
 }
 
-RAYSHADE_KERNEL uint32_t Tests(const BundleEntry& e) {
-  return 8u * CountOf(e.branch) * static_cast<uint32_t>(__builtin_popcount(e.groups));
+RAYSHADE_KERNEL uint32_t RaysIn(const BundleEntry& e) {
+  return 8u * static_cast<uint32_t>(__builtin_popcount(e.groups));
 }
 
 // How much work a bundle has been for each of its groups; false: so much that its rays are better
@@ -134,7 +134,7 @@ RAYSHADE_ROUTINE bool NearestOfBundle(const TraceView& view, Bundle* b, Hit* hit
     if (e.groups == 0) continue;
     if (!PaysOff(b->groups, e, kNearestPatience, &work)) return false;
     if (KindOf(e.branch) != kInnerNode) {
-      counters->tests += Tests(e);
+      CountTests(view, e.branch, RaysIn(e), counters);
       NearestInLeafOfBundle(view, b, e, hits);
     } else {
       ++counters->nodes;
@@ -161,7 +161,7 @@ RAYSHADE_KERNEL Meeting MeetingOf(const TraceView& view, const Bundle& b, int ra
 
 // Rays that are found blocked leave the bundle.
 RAYSHADE_ROUTINE void BlockInLeafOfBundle(const TraceView& view, Bundle* b, const BundleEntry& e,
-                                          const Fate& fate) {
+                                          const Fate& fate, Counters* counters) {
   SeenLeaf leaf;
   SeeLeaf(view, *b, e.branch, &leaf);
   for (uint32_t left = leaf.bits; left != 0; left &= left - 1) {
@@ -186,6 +186,7 @@ RAYSHADE_ROUTINE void BlockInLeafOfBundle(const TraceView& view, Bundle* b, cons
         fate.blocked[ray] = 1;
         b->best[g][lane] = -1;
         b->live[g] &= ~(1u << lane);
+        CountHit(view, o.object, counters);
       }
       if (b->live[g] == 0) b->most[g] = -1;
     }
@@ -206,8 +207,8 @@ RAYSHADE_ROUTINE bool BlockBundle(const TraceView& view, Bundle* b, uint32_t run
     if (e.groups == 0) continue;
     if (!PaysOff(groups, e, kBlockPatience, &work)) return false;
     if (KindOf(e.branch) != kInnerNode) {
-      counters->tests += Tests(e);
-      BlockInLeafOfBundle(view, b, e, fate);
+      CountTests(view, e.branch, RaysIn(e), counters);
+      BlockInLeafOfBundle(view, b, e, fate, counters);
     } else {
       ++counters->nodes;
       top = PushMet(view, *b, e, false, top);
@@ -229,7 +230,7 @@ RAYSHADE_ROUTINE bool TryNearest(const TraceView& view, const Ray* rays, const d
   if (!SurroundRays(view, false, widest, &b)) return false;
   for (uint32_t k = 0; k < view.unbounded_count; ++k) {
     for (int g = 0; g < b.groups; ++g) AskNearest(view, &b, g, 0xff, view.unbounded[k], hits);
-    counters->tests += count;
+    CountTest(view, view.unbounded[k], count, counters);
   }
   for (int g = 0; g < b.groups; ++g) UpdateMost(&b, g);
   UpdateWholeMost(&b);
@@ -252,7 +253,7 @@ RAYSHADE_ROUTINE bool TryBlock(const TraceView& view, const Ray* rays, const dou
   }
   for (int g = 0; g < b.groups; ++g) b.live[g] = LessEqual(SetD(0), LoadD(b.best[g]));
   for (uint32_t k = 0; k < view.unbounded_count; ++k) {
-    counters->tests += count;
+    CountTest(view, view.unbounded[k], count, counters);
     for (uint32_t i = 0; i < count; ++i) {
       double& limit = b.best[i / 8][i % 8];
       uint8_t met = 0;
@@ -261,6 +262,7 @@ RAYSHADE_ROUTINE bool TryBlock(const TraceView& view, const Ray* rays, const dou
         fate.blocked[i] = 1;
         limit = -1;
         b.live[i / 8] &= ~(1u << i % 8);
+        CountHit(view, view.unbounded[k], counters);
       } else if (met && fate.crossed != nullptr) {
         fate.crossed[i] = 1;
       }

@@ -50,7 +50,7 @@ RAYSHADE_KERNEL void SeeLeaf(const TraceView& view, const Bundle& b, uint64_t br
                              SeenLeaf* leaf) {
   const LeafKind kind = KindOf(branch);
   leaf->bits = (1u << CountOf(branch)) - 1;
-  leaf->known = b.pointed && kind != kOtherLeaf;
+  leaf->known = b.pointed && leaf->bits != 0 && kind != kOtherLeaf;
   if (!leaf->known) return;
   const Slopes<float>& w = b.whole;
   const Corner corner = {SetF(w.u_low), SetF(w.u_high), SetF(w.v_low), SetF(w.v_high)};

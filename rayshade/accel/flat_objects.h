@@ -26,6 +26,7 @@ struct FlatPolygon {
 // Where an object that is not a sphere is held.
 struct Item {
   LeafKind kind;  // kTriangleLeaf, kPolygonLeaf or kOtherLeaf
+  uint8_t geom;   // GeomSpec::index()
   uint32_t index;
 };
 

@@ -143,8 +143,9 @@ void ObjectSet::Add(const GeomSpec& spec, PlacementId placement, Rank rank) {
   impl_->objects.Add(spec, {placement, rank});
 }
 
-void ObjectSet::Add(std::shared_ptr<const Geom> member, PlacementId placement, Rank rank) {
-  impl_->objects.Add(std::move(member), {placement, rank});
+void ObjectSet::Add(std::shared_ptr<const Geom> member, size_t kind, PlacementId placement,
+                    Rank rank) {
+  impl_->objects.Add(std::move(member), static_cast<uint8_t>(kind), {placement, rank});
 }
 
 void ObjectSet::ResolveAll(const Resolve& resolve) { impl_->objects.Resolve(resolve); }
@@ -189,6 +190,12 @@ void ObjectSet::Describe(const Ray& ray, const Hit& hit, HitPath* path) const {
 
 PlacementId ObjectSet::placement_of(uint32_t object) const {
   return impl_->objects.key(object).placement;
+}
+
+Rank ObjectSet::rank_of(uint32_t object) const { return impl_->objects.key(object).rank; }
+
+size_t ObjectSet::kind_of(uint32_t object) const {
+  return impl_->objects.is_sphere(object) ? kSphereGeom : impl_->objects.item(object).geom;
 }
 
 void ObjectSet::ForEachIn(const Bounds& box,

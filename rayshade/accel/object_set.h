@@ -57,8 +57,9 @@ class ObjectSet {
   // Adds an object; ranks must be unique within the set. Returns false (and adds nothing) where
   // this rank is in the set already, if checked (Build removes duplicates otherwise).
   void Add(const GeomSpec& spec, PlacementId placement, Rank rank);
-  // The same for a member of a definition, which several placed objects share.
-  void Add(std::shared_ptr<const Geom> member, PlacementId placement, Rank rank);
+  // The same for a member of a definition, which several placed objects share; kind:
+  // GeomSpec::index().
+  void Add(std::shared_ptr<const Geom> member, size_t kind, PlacementId placement, Rank rank);
   // Rewrites placement and rank of every object added so far, before Build: both may be known only
   // at the end of the file. Objects whose new placement is not in place move out of the flat
   // arrays.
@@ -93,6 +94,8 @@ class ObjectSet {
   // The hit described in the space of its primitive; hit.set == this.
   void Describe(const Ray& ray, const Hit& hit, HitPath* path) const;
   PlacementId placement_of(uint32_t object) const;
+  Rank rank_of(uint32_t object) const;
+  size_t kind_of(uint32_t object) const;  // GeomSpec::index()
 
   // Calls visit(object) for each object whose world bounds overlap the closed box; unbounded
   // objects are not visited.

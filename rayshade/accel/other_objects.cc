@@ -167,12 +167,16 @@ void OtherObjects::Describe(const Ray& ray, uint32_t object, double distance, Hi
   path->inner.clear();
   if (objects_->is_sphere(object)) {
     const SphereSpec s = objects_->sphere(object);
+    path->reach = SumOfSizes(s.center) + 3 * s.radius;
     const Vector n = path->point - s.center;
     path->normal = {n.x / s.radius, n.y / s.radius, n.z / s.radius};
   } else {
     const Item& item = objects_->item(object);
-    path->normal = item.kind == kTriangleLeaf ? objects_->triangle(item).shape.normal
-                                              : objects_->polygon(item).plane.normal;
+    const bool triangle = item.kind == kTriangleLeaf;
+    path->normal =
+        triangle ? objects_->triangle(item).shape.normal : objects_->polygon(item).plane.normal;
+    path->reach =
+        3 * (triangle ? objects_->triangle(item).shape.reach : objects_->polygon(item).plane.reach);
   }
   path->geometric_normal = path->normal;
 }

@@ -1,6 +1,7 @@
-// Shadow rays of neighbouring hits towards one position, in rows as the hits lie; part of trace.inl.
-// Up to eight groups of eight are in work together. Neighbouring groups are traced as one bundle
-// as long as their pyramid stays narrow; a group that is too wide by itself is traced ray by ray.
+// Shadow rays of neighbouring hits towards one position, in rows as the hits lie; part of
+// trace.inl. Up to eight groups of eight are in work together. Neighbouring groups are traced as
+// one bundle as long as their pyramid stays narrow; a group that is too wide by itself is traced
+// ray by ray.
 
 RAYSHADE_ROUTINE void Aim(const AimRows& a) {
   for (uint32_t i = 0; i < a.count; i += 8) {
@@ -29,8 +30,8 @@ RAYSHADE_KERNEL void LoadRows(const ShadowRows& rows, uint32_t first, uint32_t c
   b->times = rows.times + first;
   b->groups = static_cast<int>((count + 7) / 8);
   for (int axis = 0; axis < 3; ++axis) {
-    b->o[axis] = reinterpret_cast<const double (*)[8]>(rows.origin[axis] + first);
-    b->d[axis] = reinterpret_cast<const double (*)[8]>(rows.direction[axis] + first);
+    b->o[axis] = reinterpret_cast<const double(*)[8]>(rows.origin[axis] + first);
+    b->d[axis] = reinterpret_cast<const double(*)[8]>(rows.direction[axis] + first);
   }
   for (int g = 0; g < b->groups; ++g) {
     uint32_t live = 0;
@@ -94,8 +95,8 @@ RAYSHADE_KERNEL uint32_t NarrowRun(uint32_t groups, Bundle* b) {
     const auto higher = [](float x, float y) { return x > y ? x : y; };
     Slopes<float> next = {b->u_low[g], b->u_high[g], b->v_low[g], b->v_high[g], 0};
     if (run != 0) {
-      next = {lower(w.u_low, next.u_low), higher(w.u_high, next.u_high),
-              lower(w.v_low, next.v_low), higher(w.v_high, next.v_high), 0};
+      next = {lower(w.u_low, next.u_low), higher(w.u_high, next.u_high), lower(w.v_low, next.v_low),
+              higher(w.v_high, next.v_high), 0};
       if (next.u_high - next.u_low > kWidestRun || next.v_high - next.v_low > kWidestRun) break;
     }
     w = next;
@@ -161,14 +162,4 @@ RAYSHADE_ROUTINE void BlockRowsOfBundle(const TraceView& view, const ShadowRows&
       if (!BlockBundle(view, &b, run, fate, counters)) BlockLive(view, b, run, fate, counters);
     }
   }
-}
-
-void BlockRows(const TraceView& view, const ShadowRows& rows, OpCounts* counts) {
-  Counters counters;
-  for (uint32_t i = 0; i < rows.count; i += kBundleSize) {
-    const uint32_t size = rows.count - i < kBundleSize ? rows.count - i : kBundleSize;
-    BlockRowsOfBundle(view, rows, i, size, &counters);
-  }
-  counts->node_visits += counters.nodes;
-  counts->primitive_tests += counters.tests;
 }

@@ -10,8 +10,34 @@ constexpr float kSlack = 1.000001f;
 constexpr double kSmallestDirection = 1e-30;
 
 struct Counters {
-  uint64_t nodes = 0, tests = 0;
+  uint64_t nodes = 0;
+  uint64_t flat_tests[kOtherLeaf] = {};  // by the kind of the leaf
+  KindCounts kinds[kGeomKinds];          // all else
 };
+
+// GeomSpec::index() of an object.
+RAYSHADE_KERNEL uint32_t GeomOf(const TraceView& view, uint32_t object) {
+  return object < view.sphere_count ? kSphereGeom
+                                    : view.flat->items[object - view.sphere_count].geom;
+}
+
+// So many rays are tested against each object of a leaf.
+RAYSHADE_KERNEL void CountTests(const TraceView& view, uint64_t branch, uint32_t rays,
+                                Counters* counters) {
+  const uint32_t first = ChildOf(branch), count = CountOf(branch);
+  if (KindOf(branch) != kOtherLeaf) {
+    counters->flat_tests[KindOf(branch)] += rays * count;
+    return;
+  }
+  for (uint32_t i = first; i < first + count; ++i) counters->kinds[GeomOf(view, i)].tests += rays;
+}
+RAYSHADE_KERNEL void CountTest(const TraceView& view, uint32_t object, uint32_t rays,
+                               Counters* counters) {
+  counters->kinds[GeomOf(view, object)].tests += rays;
+}
+RAYSHADE_KERNEL void CountHit(const TraceView& view, uint32_t object, Counters* counters) {
+  ++counters->kinds[GeomOf(view, object)].hits;
+}
 
 // A ray as the nodes see it: single precision, relative to the hierarchy's center.
 struct SlabRay {
@@ -148,6 +174,11 @@ RAYSHADE_KERNEL bool SpheresBlock(const TraceView& view, const RayWork& w, uint3
   return false;
 }
 
+// A ray whose direction is no number comes to empty slots, too.
+RAYSHADE_KERNEL bool HasQuads(uint64_t branch) {
+  return KindOf(branch) == kTriangleLeaf || KindOf(branch) == kPolygonLeaf;
+}
+
 RAYSHADE_KERNEL void NearestInLeaf(const TraceView& view, const RayWork& w, uint64_t branch,
                                    Hit* hit) {
   const uint32_t first = ChildOf(branch), count = CountOf(branch);
@@ -156,7 +187,7 @@ RAYSHADE_KERNEL void NearestInLeaf(const TraceView& view, const RayWork& w, uint
     return;
   }
   uint32_t bits = (1u << count) - 1;
-  if (KindOf(branch) != kOtherLeaf) bits = QuadsOnRay(view, branch, w.o, w.d, Loosened(hit->distance));
+  if (HasQuads(branch)) bits = QuadsOnRay(view, branch, w.o, w.d, Loosened(hit->distance));
   for (; bits != 0; bits &= bits - 1) {
     const uint32_t i = first + static_cast<uint32_t>(__builtin_ctz(bits));
     view.callbacks.nearest_other(view.set, *w.ray, i, w.strict_limit, hit);
@@ -171,16 +202,21 @@ RAYSHADE_KERNEL bool OtherBlocks(const TraceView& view, const Ray& ray, uint32_t
 }
 
 RAYSHADE_KERNEL bool LeafBlocks(const TraceView& view, const RayWork& w, uint64_t branch,
-                                double limit, uint8_t* crossed) {
+                                double limit, uint8_t* crossed, Counters* counters) {
   const uint32_t first = ChildOf(branch), count = CountOf(branch);
+  CountTests(view, branch, 1, counters);
   if (KindOf(branch) == kSphereLeaf) {
-    return SpheresBlock(view, w, first, static_cast<int>(count), limit, crossed);
+    if (!SpheresBlock(view, w, first, static_cast<int>(count), limit, crossed)) return false;
+    CountHit(view, first, counters);
+    return true;
   }
   uint32_t bits = (1u << count) - 1;
-  if (KindOf(branch) != kOtherLeaf) bits = QuadsOnRay(view, branch, w.o, w.d, Loosened(limit));
+  if (HasQuads(branch)) bits = QuadsOnRay(view, branch, w.o, w.d, Loosened(limit));
   for (; bits != 0; bits &= bits - 1) {
     const uint32_t i = first + static_cast<uint32_t>(__builtin_ctz(bits));
-    if (OtherBlocks(view, *w.ray, i, limit, crossed)) return true;
+    if (!OtherBlocks(view, *w.ray, i, limit, crossed)) continue;
+    CountHit(view, i, counters);
+    return true;
   }
   return false;
 }
@@ -204,8 +240,8 @@ RAYSHADE_ROUTINE void NearestOfOne(const TraceView& view, const Ray& ray, double
   w.strict_limit = strict_limit;
   for (uint32_t i = 0; i < view.unbounded_count; ++i) {
     view.callbacks.nearest_other(view.set, ray, view.unbounded[i], w.strict_limit, hit);
+    CountTest(view, view.unbounded[i], 1, counters);
   }
-  counters->tests += view.unbounded_count;
   if (view.node_count == 0) return;
   Stack stack;
   uint32_t top = 0;
@@ -221,7 +257,8 @@ RAYSHADE_ROUTINE void NearestOfOne(const TraceView& view, const Ray& ray, double
         // The nearest child is next, the others wait.
         const F8 met = Choose(bits, entries, SetF(__builtin_inff()));
         const uint32_t nearest = LessEqual(met, SetF(Least(met)));
-        const uint32_t i = static_cast<uint32_t>(__builtin_ctz(nearest));
+        // None is the nearest where the ray's direction is no number.
+        const uint32_t i = static_cast<uint32_t>(__builtin_ctz(nearest != 0 ? nearest : bits));
         branch = node.branch[i];
         bits &= ~(1u << i);
         Compress(bits, entries, stack.entry + top);
@@ -230,7 +267,7 @@ RAYSHADE_ROUTINE void NearestOfOne(const TraceView& view, const Ray& ray, double
         continue;
       }
     } else {
-      counters->tests += CountOf(branch);
+      CountTests(view, branch, 1, counters);
       NearestInLeaf(view, w, branch, hit);
       most = Loosened(hit->distance);
     }
@@ -245,8 +282,10 @@ RAYSHADE_ROUTINE void NearestOfOne(const TraceView& view, const Ray& ray, double
 RAYSHADE_ROUTINE bool OneIsBlocked(const TraceView& view, const Ray& ray, double limit,
                                    uint8_t* crossed, Counters* counters) {
   for (uint32_t i = 0; i < view.unbounded_count; ++i) {
-    ++counters->tests;
-    if (OtherBlocks(view, ray, view.unbounded[i], limit, crossed)) return true;
+    CountTest(view, view.unbounded[i], 1, counters);
+    if (!OtherBlocks(view, ray, view.unbounded[i], limit, crossed)) continue;
+    CountHit(view, view.unbounded[i], counters);
+    return true;
   }
   if (view.node_count == 0) return false;
   RayWork w;
@@ -260,8 +299,7 @@ RAYSHADE_ROUTINE bool OneIsBlocked(const TraceView& view, const Ray& ray, double
   while (top != 0) {
     const uint64_t branch = stack[--top];
     if (KindOf(branch) != kInnerNode) {
-      counters->tests += CountOf(branch);
-      if (LeafBlocks(view, w, branch, limit, crossed)) return true;
+      if (LeafBlocks(view, w, branch, limit, crossed, counters)) return true;
       continue;
     }
     ++counters->nodes;

@@ -40,6 +40,15 @@ bool Ordered(const GrowingArray<ObjectKey>& keys) {
          none_equal(keys.begin(), keys.end());
 }
 
+static_assert(std::variant_size_v<GeomSpec> == kGeomKinds);
+template <int kKind>
+using SpecOfKind = std::variant_alternative_t<kKind, GeomSpec>;
+static_assert(std::is_same_v<SpecOfKind<kSphereGeom>, SphereSpec>);
+static_assert(std::is_same_v<SpecOfKind<kTriangleGeom>, TriangleSpec>);
+static_assert(std::is_same_v<SpecOfKind<kPolygonGeom>, PolygonSpec>);
+
+uint8_t KindOf(const GeomSpec& spec) { return static_cast<uint8_t>(spec.index()); }
+
 }  // namespace
 
 void StoredObjects::Add(const GeomSpec& spec, ObjectKey key) {
@@ -47,11 +56,11 @@ void StoredObjects::Add(const GeomSpec& spec, ObjectKey key) {
     spheres_.push_back({s->center.x, s->center.y, s->center.z, s->radius});
     keys_.push_back(key);
   } else if (const auto* t = std::get_if<TriangleSpec>(&spec)) {
-    items_.push_back({kTriangleLeaf, static_cast<uint32_t>(triangles_.size())});
+    items_.push_back({kTriangleLeaf, KindOf(spec), static_cast<uint32_t>(triangles_.size())});
     item_keys_.push_back(key);
     triangles_.push_back({MakeTriangleShape(t->point, t->flip), t->flip});
   } else if (const auto* p = std::get_if<PolygonSpec>(&spec)) {
-    items_.push_back({kPolygonLeaf, static_cast<uint32_t>(polygons_.size())});
+    items_.push_back({kPolygonLeaf, KindOf(spec), static_cast<uint32_t>(polygons_.size())});
     item_keys_.push_back(key);
     const PolygonPlane plane = MakePolygonPlane(p->points, p->flip);
     polygons_.push_back({plane, static_cast<uint32_t>(points_.size()),
@@ -61,18 +70,18 @@ void StoredObjects::Add(const GeomSpec& spec, ObjectKey key) {
   } else {
     OtherObject other;
     other.spec = std::make_unique<const GeomSpec>(spec);
-    AddOther(std::move(other), key);
+    AddOther(std::move(other), KindOf(spec), key);
   }
 }
 
-void StoredObjects::Add(std::shared_ptr<const Geom> member, ObjectKey key) {
+void StoredObjects::Add(std::shared_ptr<const Geom> member, uint8_t kind, ObjectKey key) {
   OtherObject other;
   other.geom = std::move(member);
-  AddOther(std::move(other), key);
+  AddOther(std::move(other), kind, key);
 }
 
-void StoredObjects::AddOther(OtherObject&& other, ObjectKey key) {
-  items_.push_back({kOtherLeaf, static_cast<uint32_t>(others_.size())});
+void StoredObjects::AddOther(OtherObject&& other, uint8_t kind, ObjectKey key) {
+  items_.push_back({kOtherLeaf, kind, static_cast<uint32_t>(others_.size())});
   item_keys_.push_back(key);
   others_.push_back(std::move(other));
 }
@@ -150,7 +159,8 @@ void StoredObjects::SettleSpheres() {
     const SphereRecord& s = spheres_[i];
     OtherObject other;
     other.spec = std::make_unique<const GeomSpec>(SphereSpec{s.radius, {s.x, s.y, s.z}});
-    AddOther(std::move(other), keys_[i]);
+    const uint8_t kind = KindOf(*other.spec);
+    AddOther(std::move(other), kind, keys_[i]);
   }
   spheres_.resize(kept);
   keys_.resize(kept);
@@ -165,7 +175,7 @@ void StoredObjects::SettleItems() {
       if (StaysFlat(placement)) continue;
       OtherObject other;
       other.spec = std::make_unique<const GeomSpec>(SpecOf(sphere_count() + i));
-      item = {kOtherLeaf, static_cast<uint32_t>(others_.size())};
+      item = {kOtherLeaf, item.geom, static_cast<uint32_t>(others_.size())};
       others_.push_back(std::move(other));
     }
     OtherObject& other = others_[item.index];
@@ -225,17 +235,17 @@ uint32_t StoredObjects::Permute(std::span<const BuildRef> refs) {
     const Item& item = items_[order[i]];
     keys_[sphere_count() + i] = item_keys_[order[i]];
     if (item.kind == kTriangleLeaf) {
-      items.push_back({item.kind, static_cast<uint32_t>(triangles.size())});
+      items.push_back({item.kind, item.geom, static_cast<uint32_t>(triangles.size())});
       triangles.push_back(triangles_[item.index]);
     } else if (item.kind == kPolygonLeaf) {
       FlatPolygon polygon = polygons_[item.index];
       const std::span<const Vector> old = PointsOf(polygon);
       polygon.first_point = static_cast<uint32_t>(points.size());
       points.insert(points.end(), old.begin(), old.end());
-      items.push_back({item.kind, static_cast<uint32_t>(polygons.size())});
+      items.push_back({item.kind, item.geom, static_cast<uint32_t>(polygons.size())});
       polygons.push_back(polygon);
     } else {
-      items.push_back({item.kind, static_cast<uint32_t>(others.size())});
+      items.push_back({item.kind, item.geom, static_cast<uint32_t>(others.size())});
       others.push_back(std::move(others_[item.index]));
     }
   }

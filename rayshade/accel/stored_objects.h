@@ -32,7 +32,7 @@ class StoredObjects {
   explicit StoredObjects(const Scene* scene) : scene_(scene) {}
 
   void Add(const GeomSpec& spec, ObjectKey key);
-  void Add(std::shared_ptr<const Geom> member, ObjectKey key);
+  void Add(std::shared_ptr<const Geom> member, uint8_t kind, ObjectKey key);
   void Resolve(const ObjectSet::Resolve& resolve);
 
   // Makes geoms and moves what is not in place out of the flat arrays; placements must be final.
@@ -70,7 +70,7 @@ class StoredObjects {
   size_t bytes() const;
 
  private:
-  void AddOther(OtherObject&& other, ObjectKey key);
+  void AddOther(OtherObject&& other, uint8_t kind, ObjectKey key);
   void SettleSpheres();
   void SettleItems();
   void RemoveDuplicates();

@@ -11,16 +11,32 @@
 #include "rayshade/accel/rows.inl"
 // clang-format on
 
+RAYSHADE_KERNEL void AddTo(OpCounts* counts, Counters counters) {
+  counts->node_visits += counters.nodes;
+  counters.kinds[kSphereGeom].tests += counters.flat_tests[kSphereLeaf];
+  counters.kinds[kTriangleGeom].tests += counters.flat_tests[kTriangleLeaf];
+  counters.kinds[kPolygonGeom].tests += counters.flat_tests[kPolygonLeaf];
+  for (int i = 0; i < kGeomKinds; ++i) {
+    counts->primitive_tests += counters.kinds[i].tests;
+    counts->kinds[i].tests += counters.kinds[i].tests;
+    counts->kinds[i].hits += counters.kinds[i].hits;
+  }
+}
+
 // Rays come in an order that has neighbours together: up to 64 at a time are taken for a bundle if
 // they are coherent, else eight at a time, else one by one.
 void Nearest(const TraceView& view, const Ray* rays, Hit* hits, uint32_t count, OpCounts* counts) {
   Counters counters;
   for (uint32_t i = 0; i < count; i += kBundleSize) {
     const uint32_t size = count - i < kBundleSize ? count - i : kBundleSize;
+    uint32_t before[kBundleSize];
+    for (uint32_t k = 0; k < size; ++k) before[k] = hits[i + k].rank;
     NearestOfSome(view, rays + i, hits + i, size, &counters);
+    for (uint32_t k = 0; k < size; ++k) {
+      if (hits[i + k].rank != before[k]) CountHit(view, hits[i + k].object, &counters);
+    }
   }
-  counts->node_visits += counters.nodes;
-  counts->primitive_tests += counters.tests;
+  AddTo(counts, counters);
 }
 
 void Block(const TraceView& view, const Ray* rays, const double* limits, uint8_t* blocked,
@@ -31,6 +47,14 @@ void Block(const TraceView& view, const Ray* rays, const double* limits, uint8_t
     BlockSome(view, rays + i, limits + i, {blocked + i, crossed == nullptr ? nullptr : crossed + i},
               size, &counters);
   }
-  counts->node_visits += counters.nodes;
-  counts->primitive_tests += counters.tests;
+  AddTo(counts, counters);
+}
+
+void BlockRows(const TraceView& view, const ShadowRows& rows, OpCounts* counts) {
+  Counters counters;
+  for (uint32_t i = 0; i < rows.count; i += kBundleSize) {
+    const uint32_t size = rows.count - i < kBundleSize ? rows.count - i : kBundleSize;
+    BlockRowsOfBundle(view, rows, i, size, &counters);
+  }
+  AddTo(counts, counters);
 }

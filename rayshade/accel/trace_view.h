@@ -39,6 +39,9 @@ enum LeafKind : uint8_t {
   kOtherLeaf
 };
 
+// GeomSpec::index() of what leaves of their own hold.
+inline constexpr int kSphereGeom = 0, kTriangleGeom = 4, kPolygonGeom = 7;
+
 struct alignas(64) Node {
   float plane[6][kNodeWidth];   // low x, y, z, high x, y, z of each child
   uint64_t branch[kNodeWidth];  // of each child; see MakeBranch

@@ -19,6 +19,7 @@ enum class RandomUse : uint32_t {
   kExtendedLight,  // index: 2 * light + component
   kGloss,          // index: 2 * (texture application) + component
   kAnimatedBounds,
+  kAreaShare,  // index: area light
 };
 
 constexpr uint64_t MixBits(uint64_t x) {

@@ -19,12 +19,28 @@ namespace rayshade {
   X(primitive_tests) /* ray against one primitive */                               \
   X(cell_steps)      /* cells of the subdivision walked through */                 \
   X(shades)          /* hits shaded */                                             \
-  X(light_samples)   /* lights looked at from a hit */
+  X(light_samples)   /* lights looked at from a hit */                             \
+  X(rays_saved)      /* of shadow_rays: not traced, because no picture shows them */
+
+inline constexpr int kGeomKinds = 14;  // alternatives of GeomSpec
+
+// Of one kind of object.
+struct KindCounts {
+  uint64_t tests = 0;
+  uint64_t hits = 0;  // that were a ray's answer
+
+  KindCounts& operator+=(const KindCounts& o) {
+    tests += o.tests;
+    hits += o.hits;
+    return *this;
+  }
+};
 
 struct OpCounts {
 #define RAYSHADE_DECLARE(name) uint64_t name = 0;
   RAYSHADE_OP_COUNTS(RAYSHADE_DECLARE)
 #undef RAYSHADE_DECLARE
+  KindCounts kinds[kGeomKinds];  // by GeomSpec::index(); their tests are the primitive_tests
 
   uint64_t total_rays() const {
     return primary_rays + shadow_rays + reflected_rays + refracted_rays;
@@ -33,6 +49,7 @@ struct OpCounts {
 #define RAYSHADE_ADD(name) name += o.name;
     RAYSHADE_OP_COUNTS(RAYSHADE_ADD)
 #undef RAYSHADE_ADD
+    for (int i = 0; i < kGeomKinds; ++i) kinds[i] += o.kinds[i];
     return *this;
   }
 };

@@ -33,7 +33,8 @@ struct Ray {
   double time = 0;                 // moment within the shutter interval
   Color contribution{1, 1, 1};     // product of the weights from the eye to here; for the cutoff
   uint64_t key = 0;                // of its random numbers: sample and path (common/keyed_random.h)
-  uint32_t sample_number = 0;      // place in the order tables [rayshade4/1 s.8.5]; inherited
+  uint32_t sample_number = 0;      // place in the order tables [rayshade4/1 s.8.5] and, above its
+                                   // bits, the pixel's shift (common/sample_pattern.h); inherited
   uint32_t media_begin = 0;        // its media in the bundle, outermost first
   uint16_t media_count = 0;
   uint16_t depth = 0;  // eye rays have 0

@@ -37,11 +37,11 @@ size_t ArgumentCount(TransformKind kind) {
 
 Transform MakeTransform(TransformKind kind, const double* arguments) {
   if (const std::optional<Transform> made = Make(kind, arguments)) return *made;
-  if (kind != TransformKind::kScale) throw std::runtime_error("Singular matrix.");
+  if (kind != TransformKind::kScale) throw DegenerateTransform("Singular matrix.");
   char text[128];
   std::snprintf(text, sizeof text, "Degenerate scale %g %g %g", arguments[0], arguments[1],
                 arguments[2]);
-  throw std::runtime_error(text);
+  throw DegenerateTransform(text);
 }
 
 void TransformChain::Append(const Transform& transform) {

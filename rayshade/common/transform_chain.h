@@ -3,6 +3,7 @@
 // Most objects have none, and an empty chain costs no allocation.
 #pragma once
 
+#include <stdexcept>
 #include <variant>
 #include <vector>
 
@@ -20,7 +21,12 @@ struct AnimatedTransform {
   bool operator==(const AnimatedTransform&) const = default;
 };
 
-// Throws std::runtime_error("Degenerate scale …" or "Singular matrix."). arguments: 3, 4 or 12.
+// A transformation that cannot be undone; in Rayshade's words.
+class DegenerateTransform : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Throws DegenerateTransform. arguments: 3, 4 or 12.
 Transform MakeTransform(TransformKind kind, const double* arguments);
 
 using TransformLink = std::variant<Transform, AnimatedTransform>;
@@ -38,8 +44,7 @@ class TransformChain {
   size_t size() const { return links_.size(); }
   const std::vector<TransformLink>& links() const { return links_; }
 
-  // Link i at a moment. Throws std::runtime_error("Degenerate scale …" or "Singular matrix.") where
-  // an animated link is degenerate at that moment.
+  // Link i at a moment. Throws DegenerateTransform where an animated link is at that moment.
   Transform At(size_t i, const Moment& moment) const;
   // All links composed in written order.
   Transform Whole(const Moment& moment) const;

@@ -32,6 +32,9 @@ constexpr Vector Cross(const Vector& a, const Vector& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+// |x| + |y| + |z|.
+inline double SumOfSizes(const Vector& a) { return std::abs(a.x) + std::abs(a.y) + std::abs(a.z); }
+
 inline double Length(const Vector& a) { return std::sqrt(Dot(a, a)); }
 
 // Makes *a a unit vector and returns its former length. A vector shorter than kEpsilon is left as

@@ -78,7 +78,7 @@ class Blob final : public Geom {
   bool Intersect(const ObjectRay& ray, double min, double max, double* distance) const override;
 
   void Describe(const ObjectRay& ray, double, double distance, HitPath* path) const override {
-    BeginPath(this, ray, distance, path);
+    BeginPath(this, ray, distance, ReachOf(bounds_), path);
     Vector normal;
     for (const Ball& ball : balls_) {
       const Vector from = path->point - ball.center;

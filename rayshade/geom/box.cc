@@ -25,7 +25,7 @@ class Box final : public Geom {
   }
 
   void Describe(const ObjectRay& ray, double, double distance, HitPath* path) const override {
-    BeginPath(this, ray, distance, path);
+    BeginPath(this, ray, distance, ReachOf(box_), path);
     SetNormal(NormalAt(path->point), path);
   }
 

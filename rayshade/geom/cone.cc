@@ -54,7 +54,7 @@ class Cone final : public Geom {
   bool Intersect(const ObjectRay& ray, double min, double max, double* distance) const override;
 
   void Describe(const ObjectRay& ray, double, double distance, HitPath* path) const override {
-    BeginPath(this, ray, distance, path);
+    BeginPath(this, ray, distance, ReachOf(frame_), path);
     const Vector p = frame_.InversePoint(path->point);
     SetNormal(UnitOf(frame_.Normal({p.x * p.z, p.y * p.z, -(p.x * p.x + p.y * p.y)})), path);
   }
@@ -79,7 +79,10 @@ bool Cone::Intersect(const ObjectRay& ray, double min, double max, double* dista
   double roots[2];
   int count = 0;
   if (std::abs(a) < kEpsilon) {
-    roots[count++] = -c / (2 * b);
+    // With one step towards the root of the whole equation.
+    const double t = -c / (2 * b);
+    const double polished = t - ((a * t + 2 * b) * t + c) / (2 * (a * t + b));
+    roots[count++] = std::isfinite(polished) ? polished : t;
   } else {
     const double discriminant = b * b - a * c;
     if (!(discriminant >= 0)) return false;

@@ -39,7 +39,7 @@ class Cylinder final : public Geom {
   bool Intersect(const ObjectRay& ray, double min, double max, double* distance) const override;
 
   void Describe(const ObjectRay& ray, double, double distance, HitPath* path) const override {
-    BeginPath(this, ray, distance, path);
+    BeginPath(this, ray, distance, ReachOf(frame_), path);
     const Vector p = frame_.InversePoint(path->point);
     SetNormal(UnitOf(frame_.Normal({p.x, p.y, 0})), path);
   }

@@ -34,7 +34,7 @@ class Disc final : public Geom {
   }
 
   void Describe(const ObjectRay& ray, double, double distance, HitPath* path) const override {
-    BeginPath(this, ray, distance, path);
+    BeginPath(this, ray, distance, ReachOf(bounds()), path);
     SetNormal(spec_.normal, path);
   }
 

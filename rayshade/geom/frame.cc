@@ -36,6 +36,12 @@ std::optional<Transform> CanonicalFrame(const Vector& base, const Vector& axis, 
   return FromMatrix(scale * RotationMatrix(about, -std::acos(axis.z)), base);
 }
 
+double ReachOf(const Transform& frame) {
+  double reach = SumOfSizes(frame.translation);
+  for (const auto& row : frame.matrix.m) reach += SumOfSizes({row[0], row[1], row[2]});
+  return reach;
+}
+
 CanonicalRay ToCanonical(const Transform& frame, const ObjectRay& ray) {
   CanonicalRay canonical{frame.InversePoint(ray.origin), frame.InverseDirection(ray.direction), 0};
   canonical.scale = NormalizeAny(&canonical.direction);

@@ -16,6 +16,9 @@ namespace rayshade {
 std::optional<Transform> CanonicalFrame(const Vector& base, const Vector& axis, double radius,
                                         double length);
 
+// The size of the numbers that rays go through on their way into the frame, in the object's space.
+double ReachOf(const Transform& frame);
+
 // A ray in the canonical frame, its direction renormalised: canonical distance = scale * distance.
 struct CanonicalRay {
   Vector origin, direction;

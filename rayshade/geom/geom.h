@@ -43,6 +43,7 @@ struct HitPath {
   Vector normal;            // for shading, unit where it can be, not yet turned towards the ray
   Vector geometric_normal;  // equal to normal but for Phong triangles
   bool smooth = false;      // true for triangles with vertex normals
+  double reach = 0;  // the largest numbers that went into the hit: the object's coordinates, summed
   Stamp stamp = Stamp::kNone;
   // Inside a composite: the attributes from the primitive's own outwards, up to but not including
   // the composite's.

@@ -65,7 +65,7 @@ class Heightfield final : public Geom {
   }
 
   void Describe(const ObjectRay& ray, double min, double distance, HitPath* path) const override {
-    BeginPath(this, ray, distance, path);
+    BeginPath(this, ray, distance, ReachOf(box_), path);
     FieldHit hit{distance, {0, 0, 1}};
     // The distance may have been taken out of this space and back.
     Find(ray, min, distance + 1e-10 * std::abs(distance), &hit);

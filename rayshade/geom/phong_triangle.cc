@@ -39,7 +39,7 @@ class PhongTriangle : public Geom {
   }
 
   void Describe(const ObjectRay& ray, double, double distance, HitPath* path) const override {
-    BeginPath(this, ray, distance, path);
+    BeginPath(this, ray, distance, 3 * shape_.flat.reach, path);
     double weight[3];
     TriangleWeights(shape_.flat, path->point, weight);
     const Vector* n = shape_.normal;

@@ -27,7 +27,7 @@ class Plane final : public Geom {
   }
 
   void Describe(const ObjectRay& ray, double, double distance, HitPath* path) const override {
-    BeginPath(this, ray, distance, path);
+    BeginPath(this, ray, distance, SumOfSizes(spec_.point), path);
     SetNormal(normal_, path);
   }
 

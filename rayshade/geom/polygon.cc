@@ -27,7 +27,7 @@ class Polygon final : public Geom {
   }
 
   void Describe(const ObjectRay& ray, double, double distance, HitPath* path) const override {
-    BeginPath(this, ray, distance, path);
+    BeginPath(this, ray, distance, 3 * plane_.reach, path);
     SetNormal(plane_.normal, path);
   }
 

@@ -21,7 +21,7 @@ class Sphere final : public Geom {
   }
 
   void Describe(const ObjectRay& ray, double, double distance, HitPath* path) const override {
-    BeginPath(this, ray, distance, path);
+    BeginPath(this, ray, distance, ReachOf(bounds()), path);
     const Vector n = path->point - spec_.center;
     SetNormal({n.x / spec_.radius, n.y / spec_.radius, n.z / spec_.radius}, path);
   }

@@ -108,7 +108,7 @@ bool Torus::Intersect(const ObjectRay& ray, double min, double max, double* dist
 }
 
 void Torus::Describe(const ObjectRay& ray, double, double distance, HitPath* path) const {
-  BeginPath(this, ray, distance, path);
+  BeginPath(this, ray, distance, ReachOf(frame_) + swept_ + tube_, path);
   const Vector p = frame_.InversePoint(path->point);
   const double rho = std::sqrt(p.x * p.x + p.y * p.y);
   Vector ring;

@@ -21,7 +21,7 @@ class Triangle final : public Geom {
   }
 
   void Describe(const ObjectRay& ray, double, double distance, HitPath* path) const override {
-    BeginPath(this, ray, distance, path);
+    BeginPath(this, ray, distance, 3 * shape_.reach, path);
     SetNormal(shape_.normal, path);
   }
 

@@ -14,6 +14,7 @@ class AreaCellLight : public Light {
   LightDirection Toward(const Vector& point, const LightKey& key) const override;
   std::optional<LightArrival> Arrive(const Vector& point, const LightDirection& direction,
                                      const LightKey& key) const override;
+  double Share(const LightKey& key) const override;
 
  private:
   AreaCellSpec cell_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "rayshade/common/keyed_random.h"
+#include "rayshade/common/sample_pattern.h"
 #include "rayshade/geom/unit.h"
 #include "rayshade/light/point.h"
 
@@ -21,8 +22,15 @@ std::optional<LightArrival> ExtendedLight::Arrive(const Vector& point, const Lig
   const auto random = [&](uint32_t component) {
     return KeyedRandom(key.key, RandomUse::kExtendedLight, 2 * key.light + component);
   };
-  const double v = -radius_ + (key.sample_number % n) * width + random(0) * width;
-  const double u = -radius_ + (key.sample_number / n) * width + random(1) * width;
+  const uint32_t number = NumberOf(key.sample_number);
+  PlaceInCell place{random(0), random(1)};
+  if (IsLowDiscrepancy(key.sample_number)) {
+    place = LowDiscrepancyPlace(
+        static_cast<int>(n), static_cast<int>(number % n), static_cast<int>(number / n),
+        PatternKey(key.sample_number, RandomUse::kExtendedLight, key.light));
+  }
+  const double v = -radius_ + (number % n) * width + place.x * width;
+  const double u = -radius_ + (number / n) * width + place.y * width;
 
   // The square stands across the way to the centre.
   const Vector to_center = center_ - point;

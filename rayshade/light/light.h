@@ -29,7 +29,8 @@ struct LightKey {
   uint64_t key = 0;    // of the ray being shaded
   uint32_t light = 0;  // place in the scene's list of lights
   uint32_t sample_number = 0;
-  int samples = 1;  // N, the sample setting
+  int samples = 1;     // N, the sample setting
+  int area_cells = 0;  // of an area light, that one sample asks; 0: all
 };
 
 class Light {
@@ -42,6 +43,9 @@ class Light {
   // what Toward gave.
   virtual std::optional<LightArrival> Arrive(const Vector& point, const LightDirection& direction,
                                              const LightKey& key) const = 0;
+  // How many lights this one stands for in the sample: 0 where another one stands for it. REQUIRES:
+  // key.area_cells > 0.
+  virtual double Share(const LightKey&) const { return 1; }
 
   // Where a light stands that shines from one point and alike in all directions: Arrive then gives
   // the intensity and what Toward gave. Null for all others.

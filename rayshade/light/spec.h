@@ -26,6 +26,9 @@ struct ExtendedLightSpec {
 // One cell of an area light: corner and the two edge vectors.
 struct AreaCellSpec {
   Vector corner, u, v;
+  uint32_t area = 0;  // its area light's number in the scene
+  uint32_t order = 0,
+           cells = 1;  // its place among that light's cells: near in order, near in space
 };
 
 struct LightSpec {

@@ -214,7 +214,7 @@ bool AdaptiveSampling::RefineRow(int y) {
         colors[i] = &value(cross.x[i], cross.y[i]).color;
         all_full &= is(cross.x[i], cross.y[i], kFull);
       }
-      if (all_full || !ContrastFires(colors, settings_.contrast)) continue;
+      if (all_full || !Fires(colors)) continue;
 
       bool known = true;
       for (int i = 0; i < 5; ++i) {

@@ -22,6 +22,7 @@
 
 #include "rayshade/image/picture.h"
 #include "rayshade/render/camera.h"
+#include "rayshade/render/pixel_filter.h"
 #include "rayshade/render/tile_walk.h"
 #include "rayshade/shade/ray_result.h"
 
@@ -70,6 +71,10 @@ class AdaptiveSampling {
   FullSet& set_of(int x, int y) { return sets_[slots_[index(x, y)]]; }
   bool is(int x, int y, Flag flag) const { return flags_[index(x, y)] & flag; }
   static Cross CrossAt(int x, int y) { return {{x - 1, x, x + 1, x, x}, {y, y - 1, y, y + 1, y}}; }
+
+  bool Fires(const Color* const colors[5]) const {
+    return settings_.every_pixel_full || ContrastFires(colors, settings_.contrast);
+  }
 
   bool tile_done() const { return tile_next_ == size_t(tile_.width) * tile_.height; }
   void AskFull(int x, int y);

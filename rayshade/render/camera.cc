@@ -8,7 +8,9 @@
 #include <string>
 
 #include "rayshade/common/keyed_random.h"
+#include "rayshade/common/sample_pattern.h"
 #include "rayshade/render/sample_numbers.h"
+#include "rayshade/scene/scene.h"
 
 namespace rayshade {
 namespace {
@@ -59,7 +61,10 @@ Axes ViewAxes(const Settings& s) {
 }  // namespace
 
 Camera::Camera(const Settings& settings, int frame)
-    : settings_(settings), frame_(frame), window_(CroppedWindow(settings)) {
+    : settings_(settings),
+      frame_(frame),
+      window_(CroppedWindow(settings)),
+      low_discrepancy_(settings.pattern == SamplePattern::kLowDiscrepancy) {
   const Axes axes = ViewAxes(settings);
   eye_ = axes.eye;
   direction_ = axes.direction;
@@ -75,15 +80,7 @@ Camera::Camera(const Settings& settings, int frame)
   step_y_ = (-step_y) * up_;
   corner_ = axes.to_look - (.5 * height * step_y_ + .5 * width * step_x_);
   frame_start_ = settings.start_time + frame * settings.frame_length;
-  // A defect that pictures depend on [rayshade4/1 s.5.12]: without jitter and with one sample, all
-  // rays have the frame's time; where that is the time for which objects were moved last (0 before
-  // the first frame), they stay as they were left when their bounds were made, at the end of the
-  // shutter interval.
-  const double moved_for = frame == settings.first_frame ? 0 : frame_start_ - settings.frame_length;
-  if (settings.samples == 1 && !settings.jitter && settings.shutter > 0 &&
-      std::fabs(frame_start_ - moved_for) < kEpsilon) {
-    frozen_time_ = frame_start_ + settings.shutter;
-  }
+  if (ObjectsAreStale(settings, frame)) frozen_time_ = frame_start_ + settings.shutter;
 }
 
 uint16_t Camera::SingleSubCell(int x, int y) const {
@@ -98,7 +95,18 @@ Ray Camera::PrimaryRay(const Sample& sample) const {
   const int a = sample.sub_cell % n, b = sample.sub_cell / n;
   Ray ray;
   ray.key = SampleKey(settings_.seed, frame_, px, py, sample.sub_cell);
+  int number = SampleNumber(n, sample.sub_cell);
+  if (low_discrepancy_ && n >= 6) --number;  // from 0 for every n: nothing lies outside of the lens
+  ray.sample_number = number;
+  if (low_discrepancy_) {
+    ray.sample_number = WithShift(number, SampleKey(settings_.seed, frame_, px, py, -1));
+  }
   const auto random = [&ray](RandomUse use) { return KeyedRandom(ray.key, use); };
+  // A place in cell (column, row) of an n x n square.
+  const auto place_in = [&](RandomUse use_x, RandomUse use_y, int column, int row) {
+    if (!low_discrepancy_) return PlaceInCell{random(use_x), random(use_y)};
+    return LowDiscrepancyPlace(n, column, row, PatternKey(ray.sample_number, use_x));
+  };
 
   // Place on the screen: the low corner of the sub-cell, or anywhere in it.
   const double width = settings_.filter_width_used();
@@ -112,15 +120,14 @@ Ray Camera::PrimaryRay(const Sample& sample) const {
     for (int i = 0; i < b; ++i) y += cell;
   }
   if (settings_.jitter) {
-    x += random(RandomUse::kJitterX) * cell;
-    y += random(RandomUse::kJitterY) * cell;
+    const PlaceInCell place = place_in(RandomUse::kJitterX, RandomUse::kJitterY, a, b);
+    x += place.x * cell;
+    y += place.y * cell;
   }
   ray.origin = eye_;
   ray.direction = Normalized(corner_ + x * step_x_ + y * step_y_);
 
   // Moment and place on the lens, by the sub-cell's number.
-  const int number = SampleNumber(n, sample.sub_cell);
-  ray.sample_number = number;
   ray.time = frame_start_;
   if (frozen_time_) {
     ray.time = *frozen_time_;
@@ -131,8 +138,10 @@ Ray Camera::PrimaryRay(const Sample& sample) const {
   }
   if (settings_.aperture > 0) {
     const double grid = 2 * (1.0 / n);
-    const double cx = random(RandomUse::kLensX) * grid - 1 + (number % n) * grid;
-    const double cy = random(RandomUse::kLensY) * grid - 1 + (number / n) * grid;
+    const int column = number % n, row = number / n;
+    const PlaceInCell place = place_in(RandomUse::kLensX, RandomUse::kLensY, column, row);
+    const double cx = place.x * grid - 1 + column * grid;
+    const double cy = place.y * grid - 1 + row * grid;
     const Vector lens = (settings_.aperture * cx) * right_ + (settings_.aperture * cy) * up_;
     const double focus = settings_.focal_distance.value_or(distance_);
     ray.origin = lens + eye_;

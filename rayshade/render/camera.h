@@ -44,6 +44,7 @@ class Camera {
   Settings settings_;
   int frame_;
   PictureWindow window_;
+  bool low_discrepancy_;
   Vector eye_, direction_, right_, up_;  // unit axes
   Vector corner_, step_x_, step_y_;      // [rayshade4/1 s.7.3]
   double distance_ = 0;

@@ -25,13 +25,15 @@ std::string PictureFingerprint(const Settings& s, int frame, uint64_t objects) {
                 "frame %d objects %llu screen %d %d window %d %d %d %d crop %a %a %a %a\n"
                 "eye %a %a %a look %a %a %a fov %a %a aperture %a\n"
                 "sample %d jitter %d filter %d %a contrast %a %a %a seed %llu\n"
-                "depth %d cutoff %a %a %a shadows %d %d\n",
+                "depth %d cutoff %a %a %a shadows %d %d\n"
+                "pattern %d full %d area cells %d light cutoff %a\n",
                 frame, static_cast<unsigned long long>(objects), s.width, s.height, w.xmin, w.xmax,
                 w.ymin, w.ymax, s.crop.left, s.crop.right, s.crop.low, s.crop.high, s.eye.x,
                 s.eye.y, s.eye.z, s.look.x, s.look.y, s.look.z, s.hfov, s.vfov.value_or(0),
                 s.aperture, s.samples, s.jitter, static_cast<int>(s.filter), s.filter_width_used(),
                 s.contrast.r, s.contrast.g, s.contrast.b, static_cast<unsigned long long>(s.seed),
-                s.max_depth, s.cutoff.r, s.cutoff.g, s.cutoff.b, s.shadows, s.shadow_transparency);
+                s.max_depth, s.cutoff.r, s.cutoff.g, s.cutoff.b, s.shadows, s.shadow_transparency,
+                static_cast<int>(s.pattern), s.every_pixel_full, s.area_cells, s.light_cutoff);
   return text;
 }
 

@@ -124,7 +124,9 @@ int Renderer::Run() {
     if (!RenderFrame(frame)) return status_ ? status_ : diagnostics_->exit_status();
     if (reports() && i + 1 < frames) ReportFrame(frame, CpuTimeUsed(), PeakBytes(), report());
   }
-  if (reports()) ReportStatistics(stats_.operations, CpuTimeUsed(), PeakBytes(), report());
+  if (reports()) {
+    ReportStatistics(stats_.operations, scene_->kinds_read(), CpuTimeUsed(), PeakBytes(), report());
+  }
   WriteStatsFile();
   return 0;
 }
@@ -142,7 +144,9 @@ bool Renderer::CheckBeforehand() {
 
 bool Renderer::OpenReport() {
   if (settings_.report_file.empty()) return true;
-  report_.reset(std::fopen(settings_.report_file.c_str(), "w"));
+  // The file of -V was begun while the scene was read.
+  report_.reset(
+      std::fopen(settings_.report_file.c_str(), options_.report_file.empty() ? "w" : "a"));
   if (report_) return true;
   diagnostics_->Report(Severity::kFatal, {},
                        "Cannot open stats file " + settings_.report_file + ".");
@@ -174,7 +178,7 @@ bool Renderer::RenderFrame(int frame) {
   if (reports() && settings_.verbose) {
     Bounds world = built.objects->bounds();
     if (!world.empty()) world.Grow(2 * kEpsilon);  // as the original's list of everything
-    ReportWorld(world, built.objects->size(), report());
+    ReportWorld(world, scene_->primitives_placed(), report());
     if (frame == settings_.first_frame) ReportOptions(settings_, camera.window(), report());
   }
   stats_.build_seconds += EndPhase();

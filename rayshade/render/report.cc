@@ -2,7 +2,11 @@
 #include "rayshade/render/report.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cinttypes>
+#include <string>
+
+#include "rayshade/geom/kind_name.h"
 
 namespace rayshade {
 namespace {
@@ -11,14 +15,42 @@ void Count(const char* name, const char* tabs, uint64_t count, std::FILE* stream
   std::fprintf(stream, "%s%s%" PRIu64 "\n", name, tabs, count);
 }
 
+void Memory(uint64_t bytes, std::FILE* stream) {
+  std::fprintf(stream, "Total memory allocated:\t\t%" PRIu64 " bytes\n", bytes);
+}
+
+double Percent(uint64_t part, uint64_t whole) { return 100. * part / whole; }
+
+void Tests(const std::string& name, const KindCounts& counts, std::FILE* stream) {
+  std::fprintf(stream, "%s intersection tests:\t%" PRIu64 " (%" PRIu64 " hit, %f%%)\n",
+               name.c_str(), counts.tests, counts.hits, Percent(counts.hits, counts.tests));
+}
+
+void ReportTests(const OpCounts& counts, const std::vector<size_t>& kinds, std::FILE* stream) {
+  KindCounts total;
+  for (auto kind = kinds.rbegin(); kind != kinds.rend(); ++kind) {
+    KindCounts sum;
+    for (size_t i = 0; i < kGeomKinds; ++i) {
+      if (ReportedKind(i) == *kind) sum += counts.kinds[i];
+    }
+    total += sum;
+    if (sum.tests == 0) continue;
+    std::string name(kKindNames[*kind]);
+    name[0] = static_cast<char>(std::toupper(name[0]));
+    Tests(name, sum, stream);
+  }
+  if (total.tests == 0) return Count("Total prim. intersection tests:", "\t", 0, stream);
+  Tests("Total prim.", total, stream);
+}
+
 }  // namespace
 
-void ReportWorld(const Bounds& bounds, uint64_t objects, std::FILE* stream) {
+void ReportWorld(const Bounds& bounds, uint64_t primitives, std::FILE* stream) {
   std::fprintf(stream, "list \"World\":\n");
   for (int axis = 0; axis < 3 && !bounds.empty(); ++axis) {
     std::fprintf(stream, "\t%c: %f to %f\n", "XYZ"[axis], bounds.low[axis], bounds.high[axis]);
   }
-  std::fprintf(stream, "\t%" PRIu64 " primitive%s\n", objects, objects == 1 ? " " : "s");
+  std::fprintf(stream, "\t%" PRIu64 " primitive%s\n", primitives, primitives == 1 ? " " : "s");
 }
 
 void ReportOptions(const Settings& s, const PictureWindow& window, std::FILE* stream) {
@@ -45,7 +77,7 @@ void ReportOptions(const Settings& s, const PictureWindow& window, std::FILE* st
   } else if (s.shadow_transparency) {
     std::fprintf(stream, "Object opacity affects depth of shadowing.\n");
   }
-  if (s.frames > 1) std::fprintf(stream, "Rendering %d frames.\n", s.frames);
+  if (s.frames != 1) std::fprintf(stream, "Rendering %d frames.\n", s.frames);
 }
 
 void ReportStart(const CpuTime& cpu, std::FILE* stream) {
@@ -55,37 +87,37 @@ void ReportStart(const CpuTime& cpu, std::FILE* stream) {
 
 void ReportFrame(int frame, const CpuTime& cpu, uint64_t bytes, std::FILE* stream) {
   std::fprintf(stream, "Total CPU time for frame %d: %2.2f \n", frame, cpu.total());
-  Count("Total memory allocated:", "\t\t", bytes, stream);
+  Memory(bytes, stream);
 }
 
-void ReportStatistics(const OpCounts& counts, const CpuTime& cpu, uint64_t bytes,
-                      std::FILE* stream) {
+void ReportStatistics(const OpCounts& counts, const std::vector<size_t>& kinds, const CpuTime& cpu,
+                      uint64_t bytes, std::FILE* stream) {
   const uint64_t total = counts.total_rays();
   const uint64_t intersecting = counts.hits + counts.shadow_hits;
-  const auto percent = [](uint64_t part, uint64_t whole) { return 100. * part / whole; };
   Count("Eye rays:", "\t\t\t", counts.primary_rays, stream);
   Count("Shadow rays:", "\t\t\t", counts.shadow_rays, stream);
   Count("Reflected rays:", "\t\t\t", counts.reflected_rays, stream);
   Count("Refracted rays:", "\t\t\t", counts.refracted_rays, stream);
   Count("Total rays:", "\t\t\t", total, stream);
+  if (counts.rays_saved > 0) Count("Rays not traced:", "\t\t", counts.rays_saved, stream);
   if (total > 0) {
     std::fprintf(stream, "Intersecting rays:\t\t%" PRIu64 " (%3.3f%%)\n", intersecting,
-                 percent(intersecting, total));
+                 Percent(intersecting, total));
   }
   if (counts.shadow_rays > 0) {
     std::fprintf(stream, "Total shadow hits:\t\t%" PRIu64 " (%3.3f%%)\n", counts.shadow_hits,
-                 percent(counts.shadow_hits, counts.shadow_rays));
+                 Percent(counts.shadow_hits, counts.shadow_rays));
   }
   Count("Supersampled pixels:", "\t\t", counts.supersampled_pixels, stream);
   Count("B.V. intersection tests:", "\t", counts.node_visits, stream);
-  Count("Total prim. intersection tests:", "\t", counts.primitive_tests, stream);
+  ReportTests(counts, kinds, stream);
   std::fprintf(stream, "Total CPU time (sec):\t\t%2.2f (%2.2fu + %2.2fs)\n", cpu.total(),
                cpu.user_seconds, cpu.system_seconds);
   if (total > 0) std::fprintf(stream, "Seconds / ray:\t\t\t%4.4f\n", cpu.total() / total);
   if (intersecting > 0) {
     std::fprintf(stream, "Seconds / intersecting ray:\t%4.4f\n", cpu.total() / intersecting);
   }
-  Count("Total memory allocated:", "\t\t", bytes, stream);
+  Memory(bytes, stream);
 }
 
 LineReport::LineReport(const Settings& settings, const PictureWindow& window, std::FILE* stream)

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <vector>
 
 #include "rayshade/common/bounds.h"
 #include "rayshade/common/op_counts.h"
@@ -17,15 +18,16 @@ struct CpuTime {
 };
 
 // The object block of the world. bounds: of its bounded objects, may be empty.
-void ReportWorld(const Bounds& bounds, uint64_t objects, std::FILE* stream);
+void ReportWorld(const Bounds& bounds, uint64_t primitives, std::FILE* stream);
 // The option list.
 void ReportOptions(const Settings& settings, const PictureWindow& window, std::FILE* stream);
 void ReportStart(const CpuTime& cpu, std::FILE* stream);
 // After each frame but the last.
 void ReportFrame(int frame, const CpuTime& cpu, uint64_t bytes, std::FILE* stream);
-// At the end, over all frames.
-void ReportStatistics(const OpCounts& counts, const CpuTime& cpu, uint64_t bytes,
-                      std::FILE* stream);
+// At the end, over all frames. kinds: those of the scene, in the order of their first appearance;
+// they have a line each, in reverse, where there were tests.
+void ReportStatistics(const OpCounts& counts, const std::vector<size_t>& kinds, const CpuTime& cpu,
+                      uint64_t bytes, std::FILE* stream);
 
 // "Finished line Y (R rays)" for every row whose number is a multiple of the frequency, but the
 // last.

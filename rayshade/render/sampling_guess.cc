@@ -7,7 +7,6 @@
 #include <array>
 
 #include "rayshade/render/adaptive_sampling.h"
-#include "rayshade/render/pixel_filter.h"
 
 namespace rayshade {
 namespace {
@@ -101,7 +100,7 @@ bool AdaptiveSampling::GuessFires(int x, int y) {
     if (v == nullptr) return false;
     colors[i] = &v->color;
   }
-  return !all_expected && ContrastFires(colors, settings_.contrast);
+  return !all_expected && Fires(colors);
 }
 
 // REQUIRES: all singles are in, or the rows that lack them end the search.
@@ -130,7 +129,7 @@ bool AdaptiveSampling::LookAheadInRow(int y, uint8_t* full, size_t most) {
         colors[i] = known ? &known->color : &value(cx, cy).color;
         all_full &= (*flags[i] & kFull) != 0;
       }
-      if (all_full || !ContrastFires(colors, settings_.contrast)) continue;
+      if (all_full || !Fires(colors)) continue;
       if (asks_.size() * cells_ >= most || GuessesAllowed() < 5 * cells_) return false;
       for (int i = 0; i < 5; ++i) {
         *flags[i] |= kFull;

@@ -84,15 +84,17 @@ struct HitRows {
   alignas(64) double toward[3][kBundleSize];
   alignas(64) double distance[kBundleSize], cosine[kBundleSize], time[kBundleSize];
   uint8_t plain[kBundleSize];
+  uint8_t by_row[kBundleSize];  // plain, and its shadow ray to the light at hand begins at epsilon
   uint8_t blocked[kBundleSize], crossed[kBundleSize];
   double reach = 0;  // of the points
 
-  void Set(std::span<const Ray> rays, std::span<const SurfaceHit> surfaces,
+  void Set(const Scene& scene, std::span<const Ray> rays, std::span<const SurfaceHit> surfaces,
            std::span<const uint32_t> owners);
 };
 
-void HitRows::Set(std::span<const Ray> rays, std::span<const SurfaceHit> surfaces,
-                  std::span<const uint32_t> owners) {
+void HitRows::Set(const Scene& scene, std::span<const Ray> rays,
+                  std::span<const SurfaceHit> surfaces, std::span<const uint32_t> owners) {
+  const bool clear = scene.spec.atmosphere.effects.empty();
   reach = 0;
   const size_t count = surfaces.size(), end = (count + 7) / 8 * 8;
   for (size_t s = 0; s < end; ++s) {
@@ -103,8 +105,11 @@ void HitRows::Set(std::span<const Ray> rays, std::span<const SurfaceHit> surface
       normal[axis][s] = hit.normal[axis];
       reach = std::max(reach, std::abs(hit.point[axis]));
     }
-    time[s] = rays[owners[std::min(s, count - 1)]].time;
-    plain[s] = !hit.smooth && surface.translucency < kEpsilon && !surface.noshadow;
+    const Ray& ray = rays[owners[std::min(s, count - 1)]];
+    time[s] = ray.time;
+    // A light surely shows where something of its red does: SampleLight need not be asked.
+    plain[s] = !hit.smooth && surface.translucency < kEpsilon && !surface.noshadow && clear &&
+               surface.diffuse.r != 0 && ray.contribution.r != 0;
   }
 }
 
@@ -157,8 +162,8 @@ struct SequentialTracer::Impl {
   void Illuminate(std::span<const Ray> rays, size_t count, Level* level, OpCounts* counts);
   void IlluminateByPoint(const Light& light, std::span<const Ray> rays, size_t count, Level* level,
                          OpCounts* counts);
-  void IlluminateBy(uint32_t light, std::span<const Ray> rays, size_t count, bool plain_too,
-                    Level* level, OpCounts* counts);
+  void IlluminateBy(uint32_t light, std::span<const Ray> rays, size_t count, Level* level,
+                    OpCounts* counts);
   void Spawn(std::span<const Ray> rays, const std::vector<Medium>& media, size_t count,
              Level* level);
   void Fold(std::span<const Ray> rays, size_t count, size_t transmitted, const Level& level,
@@ -169,7 +174,6 @@ struct SequentialTracer::Impl {
   ShadowTracer shadow_tracer;
   ShadowBatch shadows;
   std::unique_ptr<HitRows> rows = std::make_unique<HitRows>();
-  bool all_plain = false;  // of the rows
   HitPath path;
   std::vector<std::unique_ptr<Level>> levels;
 };
@@ -197,14 +201,16 @@ size_t SequentialTracer::Impl::Resolve(std::span<const Ray> rays, std::span<RayR
 void SequentialTracer::Impl::Illuminate(std::span<const Ray> rays, size_t count, Level* level,
                                         OpCounts* counts) {
   if (count == 0) return;
-  rows->Set(rays, {level->surfaces.data(), count}, {level->owners.data(), count});
-  all_plain = std::count(rows->plain, rows->plain + count, 1) == static_cast<ptrdiff_t>(count);
+  rows->Set(scene, rays, {level->surfaces.data(), count}, {level->owners.data(), count});
   for (uint32_t light = 0; light < scene.lights.size(); ++light) {
     const Light& source = *scene.lights[light];
-    const bool by_rows =
-        source.position() != nullptr && scene.settings().shadows && !source.noshadow();
+    const bool by_rows = source.position() != nullptr && scene.settings().shadows &&
+                         !source.noshadow() && source.intensity().r != 0 &&
+                         scene.settings().light_cutoff == 0 && scene.settings().area_cells == 0;
+    std::fill_n(rows->by_row, count, uint8_t{0});
     if (by_rows) IlluminateByPoint(source, rays, count, level, counts);
-    if (!by_rows || !all_plain) IlluminateBy(light, rays, count, !by_rows, level, counts);
+    const bool all = std::count(rows->by_row, rows->by_row + count, 1) == ptrdiff_t(count);
+    if (!all) IlluminateBy(light, rays, count, level, counts);
   }
 }
 
@@ -223,8 +229,11 @@ void SequentialTracer::Impl::IlluminateByPoint(const Light& light, std::span<con
                r.cosine});
   size_t plain = 0, traced = 0;
   for (size_t s = 0; s < count; ++s) {
-    const bool wanted = r.plain[s] && r.cosine[s] > 0;
-    plain += r.plain[s];
+    const SurfaceHit& hit = level->surfaces[s];
+    const Vector toward{r.toward[0][s], r.toward[1][s], r.toward[2][s]};
+    r.by_row[s] = r.plain[s] && LeastDistance(hit, toward, kShadowEpsilon) == kShadowEpsilon;
+    const bool wanted = r.by_row[s] && r.cosine[s] > 0;
+    plain += r.by_row[s];
     traced += wanted;
     r.blocked[s] = !wanted;
   }
@@ -258,7 +267,7 @@ void SequentialTracer::Impl::IlluminateByPoint(const Light& light, std::span<con
     const SurfaceHit& surface = level->surfaces[s];
     if (transparent && r.crossed[s]) {
       Ray shadow;
-      MakeShadowRay(rays[level->owners[s]], surface.point, sample.toward, &shadow);
+      MakeShadowRay(rays[level->owners[s]], surface, sample.toward, &shadow);
       if (!shadow_tracer.Pass(shadow, r.distance[s], &arrived, counts)) continue;
     }
     AddLight(surface, sample, arrived, &level->colors[s]);
@@ -266,13 +275,13 @@ void SequentialTracer::Impl::IlluminateByPoint(const Light& light, std::span<con
   counts->shadow_hits += blocked - (count - traced);
 }
 
-// One light. plain_too: else only the hits that are not plain.
+// One light, for the hits that are not done by rows.
 void SequentialTracer::Impl::IlluminateBy(uint32_t light, std::span<const Ray> rays, size_t count,
-                                          bool plain_too, Level* level, OpCounts* counts) {
+                                          Level* level, OpCounts* counts) {
   ShadowBatch& batch = shadows;
   size_t traced = 0;
   for (size_t s = 0; s < count; ++s) {
-    if (!plain_too && rows->plain[s]) continue;
+    if (rows->by_row[s]) continue;
     const SurfaceHit& surface = level->surfaces[s];
     LightSample& sample = batch.samples[traced];
     if (!SampleLight(scene, light, rays[level->owners[s]], surface, &sample, &batch.rays[traced],

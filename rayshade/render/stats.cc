@@ -103,6 +103,7 @@ std::string StatsJson(const RunStats& stats) {
       .AddSeconds("trace_seconds", stats.trace_seconds)
       .AddSeconds("write_seconds", stats.write_seconds)
       .Raw("rays", RaysJson(stats.operations))
+      .Add("rays_saved", stats.operations.rays_saved)
       .Add("objects", stats.objects)
       .AddSeconds("bytes_per_object",
                   stats.objects ? double(stats.object_bytes) / double(stats.objects) : 0)

@@ -40,6 +40,15 @@ bool IsPng(std::ifstream* file) {
   return png;
 }
 
+// Of the Utah Raster Toolkit, whose pictures old scenes name; no library that is kept up reads
+// them.
+bool IsUtahRle(std::ifstream* file) {
+  const bool rle = file->get() == 0x52 && file->get() == 0xcc;
+  file->clear();
+  file->seekg(0);
+  return rle;
+}
+
 ImageData Png(const std::string& path, const std::string& name) {
   try {
     return ReadPng(path);
@@ -152,6 +161,13 @@ std::shared_ptr<const ImageData> DataFiles::ReadImage(const std::string& name) {
   if (!image) {
     const std::string path = Find(name);
     std::ifstream file = Open(path, "Cannot open image file " + name + ".");
+    if (IsUtahRle(&file)) {
+      throw DataFileError(Severity::kError,
+                          "Image file " + name +
+                              " is Utah RLE, which is not read. Make a PNG of it: "
+                              "rletopnm " +
+                              name + " | pnmtopng > " + name + ".png");
+    }
     ImageData data = IsPng(&file) ? Png(path, name) : GenericImage(&file, name);
     data.file = name;
     image = std::make_shared<ImageData>(std::move(data));

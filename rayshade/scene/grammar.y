@@ -53,9 +53,9 @@ static void yyerror(ParserContext* c, const char* text) { c->SyntaxError(text); 
    T_TILE "tile" T_TEXTSURF "textsurf" T_RANGE "range" T_SMOOTH "smooth" T_MAP "map" T_UV "uv"
    T_CYLINDRICAL "cylindrical" T_PLANAR "planar" T_SPHERICAL "spherical"
 
-%type <number> num
+%type <number> num any_num
 %type <integer> int map_kind component
-%type <value> anum expr
+%type <value> anum any_anum expr
 %type <triple> vec intensity
 %type <name> filename
 %type <surface> surf surf_opt
@@ -94,7 +94,9 @@ body_item:
 
 /* ---- numbers ---- */
 
-num:
+num: any_num                                      { $$ = c->symbols.Finite($1); } ;
+
+any_num:
     T_NUMBER
   | T_SIGNED
   | '+' T_NUMBER                                  { $$ = $2; }
@@ -104,7 +106,9 @@ num:
 
 int: num                                          { $$ = TruncateToInt($1); } ;
 
-anum:
+anum: any_anum                                    { $$ = $1; c->symbols.CheckFinite($1); } ;
+
+any_anum:
     T_NUMBER                                      { $$ = c->KeepNumber($1); }
   | T_SIGNED                                      { $$ = c->KeepNumber($1); }
   | '+' T_NUMBER                                  { $$ = c->KeepNumber($2); }
@@ -178,7 +182,7 @@ setting:
   | T_OUTFILE filename                            { c->NameOutput($2); }
   | T_REPORT report_verbose report_quiet report_frequency report_file
   | T_DEFINE T_NAME anum                          { c->symbols.Define($2, $3); }
-  | T_PRINT num                                   { c->Print($2); }
+  | T_PRINT any_num                               { c->Print($2); }
   ;
 jitter:
     %empty
@@ -189,7 +193,7 @@ filter_kind:
     T_BOX                                         { c->settings.filter = FilterKind::kBox; }
   | T_GAUSS                                       { c->settings.filter = FilterKind::kGauss; }
   ;
-report_verbose:   %empty | T_VERBOSE              { c->settings.verbose = true; } ;
+report_verbose:   %empty | T_VERBOSE              { c->SetVerbose(); } ;
 report_quiet:     %empty | T_QUIET                { c->SetQuiet(); } ;
 report_frequency: %empty | int                    { c->SetReportFrequency($1); } ;
 report_file:      %empty | filename               { c->NameReport($1); } ;

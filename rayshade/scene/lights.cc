@@ -1,6 +1,10 @@
 // Lights as they are read; see lights.h.
 #include "rayshade/scene/lights.h"
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include "rayshade/common/constants.h"
 
 namespace rayshade {
@@ -13,6 +17,25 @@ Vector CellEdge(const Vector& from, const Vector& to, int count) {
   Vector edge = to - from;
   const double length = Normalize(&edge);
   return (length / count) * edge;
+}
+
+// The places of the cells of a light, u fastest, along a Morton curve.
+std::vector<uint32_t> CellOrder(int u_count, int v_count) {
+  const auto spread = [](uint64_t x) {
+    uint64_t bits = 0;
+    for (int i = 0; i < 21; ++i) bits |= (x >> i & 1) << 2 * i;
+    return bits;
+  };
+  std::vector<std::pair<uint64_t, uint32_t>> curve;
+  for (int j = 0; j < v_count; ++j) {
+    for (int i = 0; i < u_count; ++i) {
+      curve.emplace_back(spread(i) | spread(j) << 1, static_cast<uint32_t>(curve.size()));
+    }
+  }
+  std::sort(curve.begin(), curve.end());
+  std::vector<uint32_t> order(curve.size());
+  for (uint32_t place = 0; place < curve.size(); ++place) order[curve[place].second] = place;
+  return order;
 }
 
 }  // namespace
@@ -60,11 +83,16 @@ void Lights::AddCells(const Color& intensity, bool noshadow) {
   const Vector v = CellEdge(area.corner, area.v_end, area.v_count);
   const double cells = static_cast<double>(area.u_count) * area.v_count;
   const Color share{intensity.r / cells, intensity.g / cells, intensity.b / cells};
+  const std::vector<uint32_t> order = CellOrder(area.u_count, area.v_count);
+  const uint32_t number = areas_++;
+  size_t cell = 0;
   Vector row = area.corner;
   for (int j = 0; j < area.v_count; ++j, row = row + v) {
     Vector corner = row;
     for (int i = 0; i < area.u_count; ++i, corner = corner + u) {
-      sink_->AddLight({share, noshadow, AreaCellSpec{corner, u, v}});
+      const AreaCellSpec source{
+          corner, u, v, number, order[cell++], static_cast<uint32_t>(order.size())};
+      sink_->AddLight({share, noshadow, source});
     }
   }
 }

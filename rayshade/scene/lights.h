@@ -35,6 +35,7 @@ class Lights {
   Reporter* reporter_;
   std::optional<decltype(LightSpec::source)> source_;  // nothing where it was refused
   std::optional<Area> area_;
+  uint32_t areas_ = 0;  // area lights so far
 };
 
 // Each statement replaces the effects of the one before; the index stays.

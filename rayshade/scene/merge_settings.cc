@@ -37,6 +37,7 @@ Settings SettingsBeforeFile(const Options& options) {
 Settings SettingsAfterFile(const Settings& from_file, const Options& options) {
   Settings s = from_file;
   DropUnset(&s);
+  ApplyQuality(options.quality, &s);
   if (options.resolution) {
     s.width = options.resolution->first;
     s.height = options.resolution->second;

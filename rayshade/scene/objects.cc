@@ -1,9 +1,11 @@
 // Objects on their way to the sink; see objects.h.
 #include "rayshade/scene/objects.h"
 
-#include <stdexcept>
+#include <cinttypes>
+#include <cstdio>
 #include <utility>
 
+#include "rayshade/geom/kind_name.h"
 #include "rayshade/geom/make_geom.h"
 #include "rayshade/scene/symbols.h"
 
@@ -14,6 +16,10 @@ namespace {
 bool IsClosed(const GeomSpec& spec) {
   return std::holds_alternative<SphereSpec>(spec) || std::holds_alternative<BoxSpec>(spec) ||
          std::holds_alternative<TorusSpec>(spec) || std::holds_alternative<BlobSpec>(spec);
+}
+
+std::string_view KindName(AggregateKind kind) {
+  return IsCsg(kind) ? "csg" : kind == AggregateKind::kGrid ? "grid" : "list";
 }
 
 }  // namespace
@@ -40,6 +46,8 @@ void Objects::Start(Making making, SurfaceId surface) {
 void Objects::Set(SurfaceId surface, GeomSpec&& spec) {
   geom_ = std::move(spec);
   Start(Making::kPrimitive, surface);
+  primitives_ = 1;
+  contents_ = kKindNames[geom_.index()];
   const std::optional<Complaint> complaint = CheckGeom(geom_);
   if (!complaint) return;
   reporter_->Report(complaint->severity, complaint->text);
@@ -107,6 +115,8 @@ void Objects::SetInstance(SurfaceId surface, NameId name) {
   }
   instance_ = entry - 1;
   Start(Making::kInstance, surface);
+  primitives_ = primitives_in_[name];
+  contents_ = "instance";
 }
 
 // ---- aggregates ----
@@ -132,6 +142,8 @@ void Objects::CloseAggregate() {
   scopes_.pop_back();
   surfaces_->PopScope();
   Start(CheckMembers(scope), surfaces_->current());
+  primitives_ = scope.primitives;
+  contents_ = KindName(scope.kind);
 }
 
 Objects::Making Objects::CheckMembers(const Scope& scope) {
@@ -143,9 +155,8 @@ Objects::Making Objects::CheckMembers(const Scope& scope) {
   if (scope.members == 0) {
     if (!scope.dropped) reporter_->Warn("Null object defined.");
   } else if (IsCsg(scope.kind) && scope.members != 2) {
-    reporter_->Error(scope.members < 2 ? "CSG needs at least two objects."
-                                       : "Currently, CSG only handles two objects.");
-    return Making::kWrong;
+    reporter_->Warn(scope.members < 2 ? "CSG needs at least two objects."
+                                      : "Currently, CSG only handles two objects.");
   }
   return scope.dropped ? Making::kNothing : Making::kAggregate;
 }
@@ -174,7 +185,7 @@ void Objects::Transform(TransformKind kind, std::initializer_list<NumberValue> a
   }
   try {
     transforms_->Append(MakeTransform(kind, numbers));
-  } catch (const std::runtime_error& error) {
+  } catch (const DegenerateTransform& error) {
     reporter_->Fatal(error.what());
   }
 }
@@ -200,6 +211,8 @@ void Objects::Place() {
     if (!sink_->EndAggregate(std::move(attributes_))) return;
   }
   ++scope.members;
+  scope.primitives += primitives_;
+  scope.contents = contents_;
 }
 
 void Objects::OpenDefinition() {
@@ -210,10 +223,21 @@ void Objects::OpenDefinition() {
 }
 
 void Objects::CloseDefinition(NameId name) {
-  const bool empty = scopes_.back().members == 0;
+  const Scope scope = scopes_.back();
   scopes_.pop_back();
   const DefinitionId definition = sink_->EndDefinition();
-  if (!empty && definition != kNoDefinition) definitions_[name] = definition + 1;
+  if (scope.members == 0 || definition == kNoDefinition) return;
+  definitions_[name] = definition + 1;
+  primitives_in_[name] = scope.primitives;
+  if (reporter_->log()) Tell(name, scope);
+}
+
+// The original has not computed the object's box here, and tells of none.
+void Objects::Tell(NameId name, const Scope& definition) const {
+  std::fprintf(reporter_->log(), "%.*s \"%s\":\n\t%" PRIu64 " primitive%s\n",
+               static_cast<int>(definition.contents.size()), definition.contents.data(),
+               lexer_->text(name).c_str(), definition.primitives,
+               definition.primitives == 1 ? " " : "s");
 }
 
 void Objects::Abandon() {

@@ -8,7 +8,9 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <initializer_list>
+#include <string_view>
 #include <vector>
 
 #include "rayshade/scene/data_files.h"
@@ -70,11 +72,14 @@ class Objects {
     bool open_member = false;
     AggregateKind kind = AggregateKind::kList;
     int members = 0;
+    uint64_t primitives = 0;    // in them
+    std::string_view contents;  // what kind of object a definition holds, for the report
   };
 
   void Open(AggregateKind kind, const std::array<int, 3>& counts, bool dropped);
   void Start(Making making, SurfaceId surface);
   Making CheckMembers(const Scope& scope);
+  void Tell(NameId name, const Scope& definition) const;
 
   const Lexer* lexer_;
   GatedSink* sink_;
@@ -87,6 +92,8 @@ class Objects {
   Making making_ = Making::kNothing;
   GeomSpec geom_;
   DefinitionId instance_ = kNoDefinition;
+  uint64_t primitives_ = 1;    // of the object in the making
+  std::string_view contents_;  // its kind
   Attributes attributes_;
   TextureSpec texture_;
   TransformChain ignored_;
@@ -96,6 +103,7 @@ class Objects {
 
   std::vector<Scope> scopes_{1};
   NameMap<DefinitionId> definitions_;  // number + 1, 0: not defined
+  NameMap<uint64_t> primitives_in_;    // of definitions
 };
 
 }  // namespace rayshade

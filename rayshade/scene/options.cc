@@ -240,6 +240,12 @@ void Reader::ReadLong(const std::string& option) {
     if (value.empty() || value[0] < '0' || value[0] > '9' || *end != '\0') {
       Fail("Option --seed needs a whole number from 0, not \"" + value + "\".");
     }
+  } else if (name == "quality") {
+    const std::optional<Quality> quality = QualityNamed(value);
+    if (!quality) {
+      Fail("Option --quality needs draft, rayshade, fine or reference, not \"" + value + "\".");
+    }
+    options_.quality = *quality;
   } else if (name == "stats") {
     options_.stats_file = value;
   } else {

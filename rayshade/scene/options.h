@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rayshade/common/color.h"
+#include "rayshade/scene/quality.h"
 #include "rayshade/scene/settings.h"
 
 namespace rayshade {
@@ -44,6 +45,7 @@ struct Options {
   std::string report_file;                          // -V
   bool quiet = false;                               // -q
   uint64_t seed = 1;                                // --seed
+  Quality quality = Quality::kRayshade;             // --quality
   std::string stats_file;                           // --stats
   std::vector<std::pair<std::string, std::string>>
       extra;  // long options of one program: name, value

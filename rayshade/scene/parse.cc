@@ -2,6 +2,7 @@
 #include "rayshade/scene/parse.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <cstring>
 
 #include "rayshade/scene/input_text.h"
@@ -9,12 +10,40 @@
 
 namespace rayshade {
 
+namespace {
+
+// Where -v tells of the reading; opens the file of -V, which the report of the run goes on with.
+class Log {
+ public:
+  ~Log() {
+    if (stream_ && stream_ != stderr) std::fclose(stream_);
+  }
+  bool Open(const Options& options, Diagnostics* diagnostics) {
+    const std::string& file = options.report_file;
+    if (!options.verbose || (options.quiet && file.empty())) return true;
+    stream_ = file.empty() ? stderr : std::fopen(file.c_str(), "w");
+    if (stream_) return true;
+    diagnostics->Report(Severity::kFatal, {}, "Cannot open stats file " + file + ".");
+    return false;
+  }
+  std::FILE* stream() const { return stream_; }
+
+ private:
+  std::FILE* stream_ = nullptr;
+};
+
+}  // namespace
+
 bool ParseScene(const Options& options, Diagnostics* diagnostics, SceneSink* sink) {
+  Log log;
   InputText input;
+  if (!log.Open(options, diagnostics)) return false;
+  if (log.stream()) std::fprintf(log.stream(), "Reading input file...\n");
   if (!input.Open(options, diagnostics)) return false;
   ParserContext parser(
       options, [&input](char* buffer, size_t size) { return input.Read(buffer, size); },
       input.name(), diagnostics, sink);
+  parser.reporter.set_log(log.stream());
   parser.Read();
   input.Finish();
   return parser.Complete();

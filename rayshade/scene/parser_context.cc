@@ -77,6 +77,11 @@ void ParserContext::SetQuiet() {
   reporter.diagnostics()->set_quiet(true);
 }
 
+void ParserContext::SetVerbose() {
+  settings.verbose = true;
+  if (!reporter.log() && !settings.quiet) reporter.set_log(stderr);
+}
+
 void ParserContext::Print(double number) {
   std::fprintf(reporter.diagnostics()->stream(), "%f\n", number);
 }

@@ -34,6 +34,7 @@ class ParserContext {
   void NameReport(NameId file);
   void SetReportFrequency(int lines);
   void SetQuiet();
+  void SetVerbose();
   void Print(double number);
   std::shared_ptr<const ColorMap> ReadMap(NameId file);
   void BeginImage(NameId file);

@@ -3,6 +3,8 @@
 
 #include <variant>
 
+#include "rayshade/geom/unit.h"
+
 namespace rayshade {
 namespace {
 
@@ -29,11 +31,12 @@ bool Meets(const Bounds& box, const ObjectRay& ray, double min_distance, double 
   return (near == min_distance ? far : near) < max_distance;
 }
 
-// Brings *ray through one link, backwards; false where its direction vanishes [rayshade4/2 s.3.6].
+// Brings *ray through one link, backwards; false where its direction vanishes. Rayshade loses
+// objects that are enlarged by more than 1e5 here [rayshade4/2 s.3.6].
 bool IntoLink(const Transform& link, ObjectRay* ray, double* scale) {
   ray->origin = link.InversePoint(ray->origin);
   ray->direction = link.InverseDirection(ray->direction);
-  const double length = Normalize(&ray->direction);
+  const double length = NormalizeAny(&ray->direction);
   *scale *= length;
   return length != 0;
 }

@@ -18,9 +18,9 @@ using PlacementId = uint32_t;
 // One object on the path: the primitive itself, then each enclosing aggregate or instance.
 struct PathLevel {
   Attributes attributes;
-  // Set where this level is a bounded aggregate and the placed object is an unbounded one inside of
-  // it: rays that miss the box (in the level's outer space) do not see the object [rayshade4/2
-  // s.8.5].
+  // Set where this level is a bounded aggregate (or CSG that counts as bounded) and the placed
+  // object is an unbounded one inside of it: rays that miss the box (in the level's outer space) do
+  // not see the object [rayshade4/2 s.8.5].
   std::optional<Bounds> clip;
 };
 

@@ -35,6 +35,7 @@ bool HasPredefined(std::string_view text) {
 }  // namespace
 
 bool PreprocessorMatters(std::string_view piece) {
+  if (piece.starts_with("\xef\xbb\xbf")) return true;  // a byte order mark, which cpp drops
   for (const char c : {'#', '\r', '\f', '\\'}) {
     if (std::memchr(piece.data(), c, piece.size())) return true;
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
 #include <string>
 
 #include "rayshade/common/diagnostics.h"
@@ -37,9 +38,14 @@ class Reporter {
   int errors() const { return diagnostics_->errors() - errors_before_; }
   Diagnostics* diagnostics() const { return diagnostics_; }
 
+  // Where named objects are told of, with -v; null: nowhere. Not owned.
+  std::FILE* log() const { return log_; }
+  void set_log(std::FILE* log) { log_ = log; }
+
  private:
   const Lexer* lexer_;
   Diagnostics* diagnostics_;
+  std::FILE* log_ = nullptr;
   int errors_before_;
   bool in_doubt_ = false;         // there was an error in this item
   uint64_t tokens_of_doubt_ = 0;  // read when such an item ended

@@ -2,6 +2,7 @@
 #include "rayshade/scene/scene.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rayshade {
 namespace {
@@ -21,11 +22,35 @@ bool AnyTranslucent(const SceneSpec& spec) {
                      [](const Surface& s) { return !(s.translucency < kEpsilon); });
 }
 
+bool Finite(const Color& c) { return std::isfinite(c.r + c.g + c.b); }
+
+bool AllFinite(const SceneSpec& spec) {
+  const auto surface = [](const Surface& s) {
+    return Finite(s.ambient) && Finite(s.diffuse) && Finite(s.specular) && Finite(s.body) &&
+           Finite(s.translucent) && std::isfinite(s.transp) && std::isfinite(s.translucency);
+  };
+  const auto light = [](const LightSpec& l) { return Finite(l.intensity); };
+  const auto effect = [](const Effect& e) {
+    return std::visit([](const auto& air) { return Finite(air.color); }, e);
+  };
+  return std::all_of(spec.surfaces.begin(), spec.surfaces.end(), surface) &&
+         std::all_of(spec.lights.begin(), spec.lights.end(), light) &&
+         std::all_of(spec.atmosphere.effects.begin(), spec.atmosphere.effects.end(), effect) &&
+         Finite(spec.settings.background) && Finite(spec.settings.ambient_light);
+}
+
 }  // namespace
 
 ShutterInterval FrameShutter(const Settings& settings, int frame) {
   const double open = settings.start_time + frame * settings.frame_length;
   return {static_cast<double>(frame), open, open + std::max(settings.shutter, 0.0)};
+}
+
+bool ObjectsAreStale(const Settings& settings, int frame) {
+  if (settings.samples != 1 || settings.jitter || !(settings.shutter > 0)) return false;
+  const double start = settings.start_time + frame * settings.frame_length;
+  const double moved_for = frame == settings.first_frame ? 0 : start - settings.frame_length;
+  return std::abs(start - moved_for) < kEpsilon;
 }
 
 Scene::Scene(SceneSpec written, int frame) : spec(std::move(written)) {
@@ -43,7 +68,9 @@ Scene::Scene(SceneSpec written, int frame) : spec(std::move(written)) {
   }
   default_surface = DefaultSurface();
   any_transparent = AnyTransparent(spec);
+  finite = AllFinite(spec);
   shutter = FrameShutter(spec.settings, frame);
+  objects_are_stale = ObjectsAreStale(spec.settings, frame);
 }
 
 void Scene::GiveImage(TextureId texture, std::shared_ptr<const ImageData> image) {

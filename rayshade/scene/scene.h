@@ -30,6 +30,12 @@ struct SceneSpec {
 // The moments that frame `frame` covers [rayshade4/1 s.5.9].
 ShutterInterval FrameShutter(const Settings& settings, int frame);
 
+// A defect that pictures depend on [rayshade4/1 s.5.12]: without jitter and with one sample, all
+// rays have the frame's time; where that is the time for which objects were moved last (0 before
+// the first frame), they stay as they were left when their bounds were made, at the end of the
+// shutter interval. Textures that move do not.
+bool ObjectsAreStale(const Settings& settings, int frame);
+
 struct Scene {
   // Builds textures and lights, but no image texture whose image is not there yet; adds the default
   // directional light where the file has none [rayshade4/1 s.4.9].
@@ -42,7 +48,9 @@ struct Scene {
   std::vector<std::unique_ptr<const Light>> lights;
   Surface default_surface;
   bool any_transparent = false;  // some surface in use may let shadow rays through
+  bool finite = false;           // every colour of surfaces, lights and air is a finite number
   ShutterInterval shutter;       // of this frame
+  bool objects_are_stale;        // of this frame
 
   const Settings& settings() const { return spec.settings; }
   const Placement& placement(PlacementId id) const { return spec.placements[id]; }

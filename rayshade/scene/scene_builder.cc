@@ -115,7 +115,7 @@ class MemoryStore : public ObjectStore {
         if (shared == nullptr || scene.placement(placement).in_place) {
           set->Add(spec, placement, rank);
         } else {
-          set->Add(shared, placement, rank);
+          set->Add(shared, spec.index(), placement, rank);
         }
       }
     }

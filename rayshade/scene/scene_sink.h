@@ -37,7 +37,8 @@ class SceneSink {
   // list, grid, union, intersect, difference. counts: of a grid. The attributes are known at the
   // end only.
   virtual void BeginAggregate(AggregateKind kind, const int counts[3]) = 0;
-  // Returns false where the aggregate was dropped, being empty (the parser warns).
+  // Returns false where the aggregate was dropped, being empty or CSG of other than two objects
+  // (the parser warns).
   virtual bool EndAggregate(Attributes&& attributes) = 0;
 
   // name NAME <one object>. EndDefinition returns kNoDefinition where the object was dropped.

@@ -12,6 +12,7 @@
 namespace rayshade {
 
 enum class FilterKind : uint8_t { kBox, kGauss };
+enum class SamplePattern : uint8_t { kRayshade, kLowDiscrepancy };
 enum class StereoEye : uint8_t { kNone, kLeft, kRight };
 
 struct Window {
@@ -43,6 +44,11 @@ struct Settings {
   std::optional<double> filter_width;  // none: 1.0 (box), 1.8 (Gaussian)
   Color contrast{.2, .15, .3};
   uint64_t seed = 1;  // of the picture's random numbers
+  // What only --quality sets; the defaults are Rayshade's ways.
+  SamplePattern pattern = SamplePattern::kRayshade;
+  bool every_pixel_full = false;  // whatever the contrast
+  int area_cells = 0;             // of an area light, that one hit asks; 0: all
+  double light_cutoff = 0;        // lights that could add less arrive untested
   // Shading.
   int max_depth = 5;
   Color cutoff{.002, .002, .002};

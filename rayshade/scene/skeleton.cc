@@ -5,7 +5,9 @@
 #include <unordered_map>
 
 #include "rayshade/common/check.h"
+#include "rayshade/geom/kind_name.h"
 #include "rayshade/geom/make_geom.h"
+#include "rayshade/geom/member.h"
 #include "rayshade/scene/skeleton_tree.h"
 
 namespace rayshade {
@@ -23,6 +25,14 @@ struct OpenAggregate {
   uint64_t last_key = ~uint64_t{0};
   LocalPlacement last_local = 0;
 };
+
+uint64_t LeavesOf(const GeomSpec& spec) {
+  const auto* composite = std::get_if<CompositeSpec>(&spec);
+  if (!composite) return 1;
+  uint64_t leaves = 0;
+  for (const PlacedSpec& member : *composite->members) leaves += LeavesOf(member.geom);
+  return leaves;
+}
 
 // The same object with something more around it, as one level where that makes no difference.
 PlacedSpec Wrap(const PlacedSpec& inner, Attributes&& outer) {
@@ -52,12 +62,13 @@ struct Skeleton::Impl {
   TreeNode& node() { return tree.nodes[top().node]; }
   bool in_definition() const { return !open_definitions.empty(); }
 
-  LocalPlacement Intern(Attributes&& attributes, bool bounded);
+  LocalPlacement Intern(Attributes&& attributes, bool bounded, bool endless);
   void PlaceNested(NodeId child, Attributes&& attributes);
   void Open(TreeNode&& node);
   std::vector<PlacedSpec> ReadMembers(NodeId id);
   PlacedSpec ReadDefinition(NodeId id);
   void NoteSurfaces(const PlacedSpec& placed);
+  void NoteKind(size_t kind);
 
   ObjectStore* store;
   SceneSpec spec;
@@ -67,20 +78,22 @@ struct Skeleton::Impl {
   std::vector<NodeId> definitions;
   std::unordered_map<NodeId, PlacedSpec> definitions_read;  // those that stand inside CSG
   uint64_t sequence = 0;
+  std::vector<size_t> kinds_read;
+  size_t last_kind = std::variant_npos;
 };
 
-LocalPlacement Skeleton::Impl::Intern(Attributes&& attributes, bool bounded) {
+LocalPlacement Skeleton::Impl::Intern(Attributes&& attributes, bool bounded, bool endless) {
   std::vector<LocalAttributes>& locals = node().locals;
   const auto fresh = static_cast<LocalPlacement>(locals.size());
-  if (!attributes.plain()) {
-    locals.push_back({std::move(attributes), bounded});
+  if (!attributes.plain() || endless) {
+    locals.push_back({std::move(attributes), bounded, endless});
     return fresh;
   }
   OpenAggregate& aggregate = top();
   const uint64_t key = uint64_t{attributes.surface} << 1 | (bounded ? 1 : 0);
   if (key != aggregate.last_key) {
     const auto [found, is_new] = aggregate.interned.try_emplace(key, fresh);
-    if (is_new) locals.push_back({std::move(attributes), bounded});
+    if (is_new) locals.push_back({std::move(attributes), bounded, false});
     aggregate.last_key = key;
     aggregate.last_local = found->second;
   }
@@ -161,6 +174,15 @@ void Skeleton::Impl::NoteSurfaces(const PlacedSpec& placed) {
   }
 }
 
+void Skeleton::Impl::NoteKind(size_t kind) {
+  if (kind == last_kind) return;
+  last_kind = kind;
+  kind = ReportedKind(kind);
+  if (std::find(kinds_read.begin(), kinds_read.end(), kind) == kinds_read.end()) {
+    kinds_read.push_back(kind);
+  }
+}
+
 Skeleton::Skeleton(ObjectStore* store) : impl_(std::make_unique<Impl>(store)) {}
 Skeleton::~Skeleton() = default;
 
@@ -179,21 +201,28 @@ void Skeleton::AddLight(const LightSpec& light) { impl_->spec.lights.push_back(l
 void Skeleton::SetAtmosphere(const Atmosphere& atmosphere) { impl_->spec.atmosphere = atmosphere; }
 
 void Skeleton::AddPrimitive(GeomSpec&& spec, Attributes&& attributes) {
+  impl_->NoteKind(spec.index());
   if (impl_->top().csg) {
     impl_->top().members.push_back({std::move(spec), std::move(attributes)});
     return;
   }
   TreeNode& node = impl_->node();
-  const bool bounded = IsBounded(spec);
+  // A CSG object with a plane in it may have a box and no end, or an end and no box [rayshade4/2
+  // s.9.2].
+  const Bounds own = OwnBox(spec, {});
+  const bool bounded = !(own.low.x > own.high.x);
   const bool animated = attributes.transforms.animated();
   if (bounded) {
     node.bounded = true;
-    if (!animated) node.box.Include(OuterBounds(attributes, BoundsOf(spec), {}));
+    if (!animated) node.box.Include(OuterBounds(attributes, own, {}));
   }
-  const LocalPlacement local = impl_->Intern(std::move(attributes), bounded);
+  const bool composite = std::holds_alternative<CompositeSpec>(spec);
+  if (composite) node.primitives_in_csg += LeavesOf(spec) - 1;  // one is an item
+  const bool endless = bounded && composite && !IsBounded(spec);
+  const LocalPlacement local = impl_->Intern(std::move(attributes), bounded, endless);
   if (bounded && animated) {
     node.moving = true;
-    node.moving_objects.push_back({BoundsOf(spec), local});
+    node.moving_objects.push_back({own, local});
   }
   const uint64_t sequence = impl_->sequence++;
   if (!node.items.empty() && !node.items.back().nested && node.items.back().end == sequence &&
@@ -278,6 +307,10 @@ void Skeleton::OnSettings(const Settings& settings) { impl_->spec.settings = set
 const Settings& Skeleton::settings() const { return impl_->spec.settings; }
 
 uint64_t Skeleton::objects_stored() const { return impl_->sequence; }
+
+const std::vector<size_t>& Skeleton::kinds_read() const { return impl_->kinds_read; }
+
+uint64_t Skeleton::primitives_placed() const { return PrimitivesIn(impl_->tree, 0); }
 
 Expansion Skeleton::Expand(int frame) const {
   CHECK(impl_->open.size() == 1);

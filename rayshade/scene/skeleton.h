@@ -96,6 +96,10 @@ class Skeleton : public SceneSink {
 
   const Settings& settings() const;
   uint64_t objects_stored() const;  // the next sequence
+  // Kinds of objects (geom/kind_name.h) in the order of their first appearance in the file.
+  const std::vector<size_t>& kinds_read() const;
+  // Those of CSG objects one by one, and all as often as they are placed.
+  uint64_t primitives_placed() const;
 
   // After parsing. Paths of one frame (clip boxes of moving aggregates differ between frames).
   // Throws std::runtime_error where instances of instances make more objects than ranks can tell

@@ -1,5 +1,6 @@
 // From the tree of aggregates to runs of objects with one path each; see skeleton.h.
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 
@@ -54,7 +55,7 @@ class Expander {
   void Walk(NodeId id, uint64_t order) {
     const TreeNode& node = tree_.nodes[id];
     const auto first_placement = static_cast<PlacementId>(expansion_.placements.size());
-    for (const LocalAttributes& local : node.locals) Place(local);
+    for (const LocalAttributes& local : node.locals) Place(local, id);
     const bool as_written = node.kind == AggregateKind::kGrid;
     for (const NodeItem& item : node.items) {
       if (!item.bounded) order = Visit(id, item, false, first_placement, order);
@@ -81,13 +82,16 @@ class Expander {
   // Levels that say nothing and clip nothing are left out. A bounded member of a list or grid is
   // tested only for rays that meet the box of all bounded members, and so is what is unbounded
   // inside of it [rayshade4/2 s.8.5].
-  void Place(const LocalAttributes& local) {
+  void Place(const LocalAttributes& local, NodeId id) {
     Placement placement;
-    if (SaysSomething(local.attributes)) placement.levels.push_back({local.attributes, {}});
+    PathLevel own{local.attributes, {}};
+    if (local.endless && !tree_.nodes[id].is_definition) own.clip = Box(id);
+    if (own.clip || SaysSomething(own.attributes)) placement.levels.push_back(std::move(own));
     for (size_t i = path_.size(); i-- > 0;) {
       const Step& step = path_[i];
       PathLevel level{*step.attributes, {}};
-      if (!local.bounded && step.bounded && !tree_.nodes[step.parent].is_definition) {
+      const bool may_stick_out = !local.bounded || local.endless;
+      if (may_stick_out && step.bounded && !tree_.nodes[step.parent].is_definition) {
         level.clip = Box(step.parent);
       }
       if (level.clip || SaysSomething(level.attributes)) {
@@ -122,6 +126,22 @@ Bounds MembersBox(const SkeletonTree& tree, NodeId id, const ShutterInterval& sh
                             shutter));
   }
   return box;
+}
+
+uint64_t PrimitivesIn(const SkeletonTree& tree, NodeId id) {
+  std::vector<std::optional<uint64_t>> known(tree.nodes.size());
+  const std::function<uint64_t(NodeId)> count = [&](NodeId node_id) {
+    std::optional<uint64_t>& sum = known[node_id];
+    if (sum) return *sum;
+    const TreeNode& node = tree.nodes[node_id];
+    uint64_t total = node.primitives_in_csg;
+    for (const NodeItem& item : node.items) {
+      total += item.nested ? count(item.node) : item.end - item.first;
+    }
+    sum = total;
+    return total;
+  };
+  return count(id);
 }
 
 Expansion ExpandTree(const SkeletonTree& tree, const ShutterInterval& shutter) {

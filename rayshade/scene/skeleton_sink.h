@@ -34,6 +34,9 @@ class SkeletonSink : public SceneSink {
   DefinitionId EndDefinition() override { return skeleton().EndDefinition(); }
   void OnSettings(const Settings& settings) override { skeleton().OnSettings(settings); }
 
+  const std::vector<size_t>& kinds_read() { return skeleton().kinds_read(); }
+  uint64_t primitives_placed() { return skeleton().primitives_placed(); }
+
  private:
   virtual Skeleton& skeleton() = 0;
 };

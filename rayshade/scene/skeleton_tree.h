@@ -18,7 +18,8 @@ using NodeId = uint32_t;
 // What is written around objects of one node.
 struct LocalAttributes {
   Attributes attributes;
-  bool bounded = true;  // of the objects: unbounded ones are clipped by enclosing aggregates
+  bool bounded = true;   // of the objects: unbounded ones are clipped by enclosing aggregates
+  bool endless = false;  // bounded by Rayshade's reckoning, though hits may lie anywhere
 };
 
 // Members of a node, in written order: neighbouring objects, or one nested node.
@@ -38,6 +39,7 @@ struct TreeNode {
   bool moving = false;         // `box` leaves something out, since it moves
   Bounds box;                  // of the bounded members that stand still, in the node's space
   std::vector<NodeItem> items;
+  uint64_t primitives_in_csg = 0;       // of its own
   std::vector<LocalAttributes> locals;  // by local placement
   struct MovingObject {
     Bounds box;  // in its own space
@@ -53,6 +55,9 @@ struct SkeletonTree {
 
 // The box of a node's bounded members, in the node's space.
 Bounds MembersBox(const SkeletonTree& tree, NodeId node, const ShutterInterval& shutter);
+
+// Primitives that a node places, those inside of CSG one by one; as Rayshade counts them.
+uint64_t PrimitivesIn(const SkeletonTree& tree, NodeId node);
 
 // Runs and placements of all objects that the world reaches.
 Expansion ExpandTree(const SkeletonTree& tree, const ShutterInterval& shutter);

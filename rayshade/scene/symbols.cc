@@ -2,6 +2,7 @@
 #include "rayshade/scene/symbols.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -108,6 +109,12 @@ NumberValue Symbols::Keep(Expression expression) {
 double Symbols::Constant(const NumberValue& value) {
   if (!value.expression) return value.number;
   reporter_->Fatal("Illegal expression use.");
+  return kAfterError.number;
+}
+
+double Symbols::Finite(double number) {
+  if (std::isfinite(number)) return number;
+  reporter_->Error("Number is not finite.");
   return kAfterError.number;
 }
 

@@ -20,6 +20,11 @@ class Symbols {
   NumberValue Operate(ExpressionOp op, std::initializer_list<NumberValue> arguments);
   // The number of an expression that must not vary.
   double Constant(const NumberValue& value);
+  // Numbers that overflow, or are none, are errors where something is made of them.
+  double Finite(double number);
+  void CheckFinite(const NumberValue& value) {
+    if (!value.expression) Finite(value.number);
+  }
   void Define(NameId name, const NumberValue& value);
   // Values that vary are valid until here.
   void EndItem() {

@@ -64,6 +64,7 @@ void PrintExamples(std::FILE* stream, const char* program) {
 std::vector<LongOption> AllLongOptions(const std::vector<LongOption>& own) {
   std::vector<LongOption> all{
       {"help", "", "this help"},
+      {"quality", "NAME", "draft, rayshade, fine or reference  [rayshade: as the file says]"},
       {"seed", "N", "seed of the picture's random numbers  [1]"},
       {"stats", "FILE", "write times and counts to FILE, as JSON"},
   };

@@ -25,8 +25,11 @@ void CollectOf(const Scene& scene, const ObjectSet& set, uint32_t object, const 
     Hit hit;
     hit.distance = limit;
     set.NearestOf(rest, object, &hit);
+    KindCounts& kind = counts->kinds[set.kind_of(object)];
     ++counts->primitive_tests;
+    ++kind.tests;
     if (!hit.found()) return;
+    ++kind.hits;
     SurfaceHit resolved;
     ResolveHit(scene, rest, hit, &resolved);
     ShadowCrossing crossing;

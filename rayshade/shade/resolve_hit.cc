@@ -1,7 +1,9 @@
 // From a hit in the space of its primitive to a surface in the world [rayshade4/2 s.2.5, 4;
 // rayshade4/3 s.4, 9].
 #include "rayshade/common/check.h"
+#include "rayshade/geom/unit.h"
 #include "rayshade/shade/shade.h"
+#include "rayshade/shade/slack.h"
 
 namespace rayshade {
 namespace {
@@ -49,7 +51,7 @@ class PathWalk {
 
   void Resolve(double distance, SurfaceHit* resolved) const {
     if (textured_) {
-      WithTextures(resolved);
+      WithTextures(distance, resolved);
     } else if (transformed_) {
       Plainly(distance, resolved);
     }
@@ -65,14 +67,16 @@ class PathWalk {
       whole = first ? level : Compose(whole, level);
       first = false;
     });
-    resolved->normal = Normalized(whole.Normal(resolved->normal));
-    resolved->geometric_normal = Normalized(whole.Normal(resolved->geometric_normal));
+    resolved->normal = UnitOf(whole.Normal(resolved->normal));
+    resolved->geometric_normal = UnitOf(whole.Normal(resolved->geometric_normal));
     resolved->point = ray_.origin + distance * ray_.direction;
+    resolved->face = UnitOf(resolved->geometric_normal);
+    resolved->slack = SlackOf(ray_, path_, distance, whole);
   }
 
   // Each level's transformations, then its textures. The geometric normal stays where it is
   // [rayshade4/3 s.4.5].
-  void WithTextures(SurfaceHit* resolved) const {
+  void WithTextures(double distance, SurfaceHit* resolved) const {
     TextureHit hit;
     hit.surface = *resolved->bound;
     hit.normal = resolved->normal;
@@ -81,6 +85,7 @@ class PathWalk {
     hit.ray_direction = path_.ray.direction;
     hit.path = &path_;
     hit.moment = moment_;
+    if (scene_.objects_are_stale) hit.moment.time = scene_.shutter.open;
     hit.key = ray_.key;
     hit.sample_number = ray_.sample_number;
     hit.samples = scene_.settings().samples;
@@ -88,9 +93,9 @@ class PathWalk {
       if (!attributes.transforms.empty()) {
         const Transform level = attributes.transforms.Whole(moment_);
         hit.point = level.Point(hit.point);
-        hit.normal = Normalized(level.Normal(hit.normal));
+        hit.normal = UnitOf(level.Normal(hit.normal));
         hit.ray_origin = level.Point(hit.ray_origin);
-        hit.ray_direction = Normalized(level.Direction(hit.ray_direction));
+        hit.ray_direction = UnitOf(level.Direction(hit.ray_direction));
         hit.primitive_to_model = Compose(hit.primitive_to_model, level);
       }
       for (TextureId texture : attributes.textures) {
@@ -103,6 +108,9 @@ class PathWalk {
     resolved->point = hit.point;
     resolved->normal = hit.normal;
     Normalize(&resolved->geometric_normal);
+    if (!transformed_) return;
+    resolved->face = UnitOf(hit.primitive_to_model.Normal(resolved->face));
+    resolved->slack = SlackOf(ray_, path_, distance, hit.primitive_to_model);
   }
 
   const Scene& scene_;
@@ -126,6 +134,8 @@ void ResolveHit(const Scene& scene, const Ray& ray, const Hit& hit, HitPath* pat
   resolved->normal = path->normal;
   resolved->geometric_normal = path->geometric_normal;
   resolved->smooth = path->smooth;
+  resolved->face = path->geometric_normal;
+  resolved->slack = SlackOf(ray, *path, hit.distance);
   resolved->textured = false;
   resolved->bound = &BoundSurface(scene, *path, placement);
   resolved->bound_transp = resolved->bound->transp;

@@ -1,4 +1,5 @@
 // Transmitted and reflected rays [rayshade4/3 s.5.1, 5.3, 5.4].
+#include <algorithm>
 #include <cmath>
 
 #include "rayshade/common/keyed_random.h"
@@ -20,6 +21,7 @@ void Append(const Ray& ray, const SurfaceHit& hit, const Vector& direction,
   Ray& next = bundle->rays.emplace_back();
   next.origin = hit.point;
   next.direction = direction;
+  next.min_distance = LeastDistance(hit, direction, kEpsilon);
   next.time = ray.time;
   next.contribution = contribution;
   next.key = PathKey(ray.key, kind == RayKind::kRefracted);
@@ -69,7 +71,7 @@ bool Transmit(const Scene& scene, const Ray& ray, std::span<const Medium> media,
 
 Color Weighted(const SecondaryRay& way, const RayResult& result) {
   const Color color = way.weight * result.color;
-  return way.extinct == 1 ? color : std::pow(way.extinct, result.distance) * color;
+  return way.extinct == 1 ? color : std::pow(std::max(way.extinct, 0.0), result.distance) * color;
 }
 
 void SpawnSecondary(const Scene& scene, const Ray& ray, std::span<const Medium> media,

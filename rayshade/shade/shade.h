@@ -14,6 +14,8 @@
 //   3. What a shadow ray goes through on its way is in shade/crossing.h.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -34,6 +36,8 @@ struct SurfaceHit {
   Vector geometric_normal;  // smooth, textured and transformed: still in primitive space
   double facing;            // k = -(I . N) of the ray's direction I; may be negative after textures
   Vector mirror;            // R = I + 2 k N, not normalised
+  Vector face;              // normal of the surface itself, world space
+  double slack;             // the point lies within this distance of the surface
   bool smooth;
   bool entering;
   bool textured;         // `own` holds the surface; it is not set otherwise
@@ -49,6 +53,16 @@ void ResolveHit(const Scene& scene, const Ray& ray, const Hit& hit, HitPath* pat
                 SurfaceHit* resolved);
 void ResolveHit(const Scene& scene, const Ray& ray, const Hit& hit, SurfaceHit* resolved);
 
+// Where hits of a ray that leaves the point in this direction begin to count: at epsilon
+// (Rayshade's own rule), or where that is farther, beyond the last point at which rounding could
+// let the ray meet the surface that it leaves (shade/slack.h).
+inline double LeastDistance(const SurfaceHit& hit, const Vector& direction, double epsilon) {
+  constexpr double kGrazing = 1e-8;
+  const double cosine = std::abs(Dot(direction, hit.face));
+  return hit.slack > epsilon * cosine ? std::max(epsilon, hit.slack / std::max(cosine, kGrazing))
+                                      : epsilon;
+}
+
 // What one light does to a hit if nothing is in its way.
 struct LightSample {
   Vector toward;       // L, for highlights
@@ -59,13 +73,13 @@ struct LightSample {
   bool traced = true;  // false: no shadows here (noshadow, -n): the colour arrives
 };
 
-// The same with its shadow ray: kind kShadow, min_distance kShadowEpsilon.
+// The same with its shadow ray: kind kShadow, min_distance at least kShadowEpsilon.
 struct ShadowRay : LightSample {
   Ray ray;
 };
 
 // The shadow ray of a hit of `ray`.
-void MakeShadowRay(const Ray& ray, const Vector& point, const Vector& direction, Ray* shadow);
+void MakeShadowRay(const Ray& ray, const SurfaceHit& hit, const Vector& direction, Ray* shadow);
 // One light; false where it does not concern the hit. Sets *shadow too, also where it is not
 // traced.
 bool SampleLight(const Scene& scene, uint32_t light, const Ray& ray, const SurfaceHit& hit,

@@ -1,6 +1,7 @@
 // Fog, mist and fog deck [rayshade4/3 s.8]; see atmosphere.h.
 #include "rayshade/surface/atmosphere.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "rayshade/common/constants.h"
@@ -64,6 +65,16 @@ struct Way {
 };
 
 }  // namespace
+
+bool Atmosphere::Hides(double distance) const {
+  return std::any_of(effects.begin(), effects.end(), [distance](const Effect& effect) {
+    const Fog* fog = std::get_if<Fog>(&effect);
+    if (fog == nullptr) return false;
+    const Color& half = fog->half_distance;
+    return Left(distance, half.r) == 0 && Left(distance, half.g) == 0 &&
+           Left(distance, half.b) == 0;
+  });
+}
 
 Color Atmosphere::Apply(const Vector& origin, const Vector& direction, double distance,
                         Color color) const {

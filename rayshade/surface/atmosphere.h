@@ -34,6 +34,8 @@ struct Atmosphere {
 
   // The colour of a ray after `distance` through this air; the ray is in world space.
   Color Apply(const Vector& origin, const Vector& direction, double distance, Color color) const;
+  // Whether fog leaves nothing of any colour after `distance`, in every channel.
+  bool Hides(double distance) const;
 };
 
 }  // namespace rayshade

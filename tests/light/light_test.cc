@@ -3,9 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <set>
+#include <vector>
 
 #include "rayshade/common/keyed_random.h"
+#include "rayshade/common/sample_pattern.h"
 
 namespace rayshade {
 namespace {
@@ -108,6 +113,75 @@ TEST(AreaCell, OtherKeysAndOtherLightsChooseOtherPlaces) {
   EXPECT_NE(toward, light->Toward({}, c).toward);
 }
 
+// An area light of `cells` cells, as its light sources see it.
+std::vector<std::unique_ptr<const Light>> Cells(uint32_t cells) {
+  std::vector<std::unique_ptr<const Light>> lights;
+  for (uint32_t order = 0; order < cells; ++order) {
+    const AreaCellSpec cell{{double(order), -5, -1}, {1, 0, 0}, {0, 0, 1}, 0, order, cells};
+    lights.push_back(MakeLight(Spec({1, 1, 1}, cell)));
+  }
+  return lights;
+}
+
+TEST(AreaCell, ASampleAsksAsManyCellsAsItShouldAndTheyStandForAll) {
+  for (const uint32_t cells : {1, 2, 5, 12, 64}) {
+    const auto lights = Cells(cells);
+    for (const int asked : {1, 2, 3, 7, 16}) {
+      LightKey key;
+      key.samples = 4;
+      key.area_cells = asked;
+      for (uint64_t k = 0; k < 64; ++k) {
+        key.key = MixBits(k);
+        key.sample_number = k % 16;
+        uint32_t in_use = 0;
+        double sum = 0;
+        for (const auto& light : lights) {
+          in_use += light->Share(key) > 0;
+          sum += light->Share(key);
+        }
+        EXPECT_EQ(in_use, std::min<uint32_t>(asked, cells));
+        EXPECT_NEAR(sum, cells, 1e-9);
+      }
+    }
+  }
+}
+
+TEST(AreaCell, TheSamplesOfAPixelAskEveryCellOnceWhereThereAreAsManyQuestionsAsCells) {
+  const auto lights = Cells(64);
+  LightKey key;
+  key.samples = 4;
+  key.area_cells = 4;
+  std::vector<double> shares(64);
+  for (uint32_t s = 0; s < 16; ++s) {
+    key.sample_number = s;
+    key.key = MixBits(s);
+    for (size_t i = 0; i < 64; ++i) shares[i] += lights[i]->Share(key);
+  }
+  for (const double share : shares) EXPECT_EQ(share, 16);
+}
+
+TEST(AreaCell, OnTheAverageEveryCellIsAskedEquallyOften) {
+  const auto lights = Cells(12);
+  LightKey key;
+  key.samples = 3;
+  key.area_cells = 5;
+  constexpr int kTimes = 20000;
+  std::vector<double> shares(12);
+  for (int k = 0; k < kTimes; ++k) {
+    key.sample_number = k % 9;
+    key.key = MixBits(k);
+    for (size_t i = 0; i < 12; ++i) shares[i] += lights[i]->Share(key) / kTimes;
+  }
+  for (const double share : shares) EXPECT_NEAR(share, 1, .05);
+}
+
+TEST(Lights, OfOtherKindsStandForThemselves) {
+  LightKey key;
+  key.area_cells = 1;
+  EXPECT_EQ(MakeLight(Spec({1, 1, 1}, PointLightSpec{{0, -5, 0}}))->Share(key), 1);
+  EXPECT_EQ(MakeLight(Spec({1, 1, 1}, ExtendedLightSpec{1, {0, -5, 0}}))->Share(key), 1);
+}
+
 TEST(ExtendedLight, LightsFromItsCentre) {
   const auto light = MakeLight(Spec({1, 1, 1}, ExtendedLightSpec{1, {0, -5, 0}}));
   const LightDirection direction = light->Toward({}, {});
@@ -136,6 +210,23 @@ TEST(ExtendedLight, SendsTheShadowRayToTheCellOfTheSampleNumber) {
       EXPECT_EQ(std::floor(u), s / 3) << s;
     }
   }
+}
+
+TEST(ExtendedLight, InALowDiscrepancyPatternIsHitOnceInEachOfItsRowsAndColumns) {
+  const auto light = MakeLight(Spec({1, 1, 1}, ExtendedLightSpec{1, {0, -5, 0}}));
+  LightKey key;
+  key.samples = 4;
+  std::set<int> columns, rows;
+  for (uint32_t s = 0; s < 16; ++s) {
+    key.sample_number = WithShift(s, MixBits(7));
+    key.key = MixBits(s);
+    const auto arrival = light->Arrive({}, light->Toward({}, key), key);
+    const Vector place = arrival->shadow_distance * arrival->shadow_direction;
+    columns.insert(static_cast<int>((place.x + 1) * 8));
+    rows.insert(static_cast<int>((place.z + 1) * 8));
+  }
+  EXPECT_EQ(columns.size(), 16u);
+  EXPECT_EQ(rows.size(), 16u);
 }
 
 TEST(ExtendedLight, BeyondTheLastSampleNumberLiesOutsideOfThePattern) {

@@ -28,7 +28,7 @@ inline std::vector<std::vector<RayStep>> RayTrails(const RecordedRun& run) {
       ByteWriter name;
       name.Put(t.ray);
       name.Put(t.travel.back);
-      trails[name.bytes()].push_back({s.from, s.to, t.ray, t.travel, at});
+      trails[name.Take()].push_back({s.from, s.to, t.ray, t.travel, at});
     }
   }
   std::vector<std::vector<RayStep>> list;

@@ -19,10 +19,9 @@ TEST(PaperSection1, DemandDrivenEachProcessFinishesItsPartOfTheImageItself) {
   size_t pixels = 0;
   for (const SentMessage& s : run.sent) {
     if (s.tag == Tag::kPrimaryRays) {
-      for (const Sample& sample : Decode<PrimaryRays>(s.bytes).samples)
-        given[TokenOf(sample)] = s.to;
+      for (uint64_t token : Decode<PrimaryRays>(s.bytes).tokens) given[token] = s.to;
     }
-    for (const PixelItem& item : RecordedRun::Pixels(s)) {
+    for (const Pixel& item : RecordedRun::Pixels(s)) {
       EXPECT_EQ(given.at(item.token), s.from);
       ++pixels;
     }

@@ -184,7 +184,7 @@ TEST(PaperSection2, TheHostGetsOneResultForEachPrimaryRay) {
     for (const Traveller& t : run.Travellers(s)) {
       if (s.from == kHost) asked.insert(t.travel.back.token);
     }
-    for (const PixelItem& item : RecordedRun::Pixels(s)) {
+    for (const Pixel& item : RecordedRun::Pixels(s)) {
       EXPECT_EQ(s.to, kHost);
       answered.insert(item.token);
     }

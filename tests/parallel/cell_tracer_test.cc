@@ -158,7 +158,10 @@ TEST_F(CellTracerTest, ShadowRaysAreBlockedAsInTheWholeScene) {
     std::vector<uint8_t> expected(n);
     all_->Block(plain, limits, expected, &counts_);
     std::vector<CellTracer::Shadow> shadows(n);
-    for (size_t i = 0; i < n; ++i) shadows[i].shadow = &rays[i];
+    for (size_t i = 0; i < n; ++i) {
+      shadows[i].ray = &rays[i].ray;
+      shadows[i].limit = rays[i].limit;
+    }
     for (CellId next = 0; next != kNoCell;) {
       tracer.Shadows(shadows, &counts_);
       next = kNoCell;

@@ -66,7 +66,7 @@ std::vector<uint8_t> BytesOf(std::vector<CellNode> nodes, size_t cells) {
   w.Put(bounds);
   w.Put(nodes);
   w.Put(list);
-  return w.bytes();
+  return w.Take();
 }
 
 TEST(CellTree, WhatIsNoTreeIsAnError) {

@@ -96,7 +96,7 @@ TEST_F(RunningHost, RefusesMessagesThatMakeNoSense) {
   EXPECT_THROW(run_.Tell(0, kHost, WorkRequest{}), WireError) << "from itself";
   EXPECT_THROW(run_.Tell(3, kHost, WorkRequest{}), WireError) << "from nobody";
   EXPECT_THROW(run_.Tell(1, kHost, Stop{}), WireError) << "not for the host";
-  EXPECT_THROW(run_.Tell(1, kHost, PixelResults{{TokenOf({1, 1, 0, true})}, {}}), WireError)
+  EXPECT_THROW(run_.Tell(1, kHost, PixelResults{{TokenOf({1, 1, 0, true})}, {}, {}}), WireError)
       << "a result without a ray";
   EXPECT_THROW(run_.Tell(1, kHost, ObjectsTaken{}), WireError) << "none were sent";
   EXPECT_THROW(run_.Tell(1, kHost, std::span<const uint8_t>()), WireError);
@@ -104,7 +104,7 @@ TEST_F(RunningHost, RefusesMessagesThatMakeNoSense) {
 
   run_.Tell(1, kHost, WorkRequest{});
   EXPECT_EQ(run_.Work(kHost).size(), 1u);
-  EXPECT_THROW(run_.Tell(1, kHost, PixelResults{{TokenOf({99, 1, 0, true})}, {}}), WireError)
+  EXPECT_THROW(run_.Tell(1, kHost, PixelResults{{TokenOf({99, 1, 0, true})}, {}, {}}), WireError)
       << "not in the picture";
   EXPECT_EQ(run_.host->samples_done(), 0u);
 }

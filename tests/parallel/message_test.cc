@@ -22,15 +22,22 @@ Message Example() {
     message.travel.resize(2);
   }
   if constexpr (requires { message.primary; })
-    message.primary = {{7, 3, 1.5, 9}, {8, kNoCell, kFar, kNoRank}};
+    message.primary = {{7, 1.5, 9, 3}, {8, kFar, kNoRank, kNoCell}};
   if constexpr (requires { message.voids; }) {
     message.voids = {1, 2, 3};
-    message.results = {{7, {1, 2, 3}, true}, {8, {}, false}};
+    message.hits = {{7, {1, 2, 3}}, {8, {}}};
+    message.misses = {{9, {4, 5, 6}}};
+  } else if constexpr (std::is_same_v<Message, ShadowResults>) {
+    message.results = {{7, true, {1, 2, 3}}, {8, false, {}}};
   } else if constexpr (requires { message.results; }) {
-    message.results = {{7, {1, 2, 3}, 4, true}, {8, {}, 1e14, false}};
+    message.results = {{7, {1, 2, 3}, 4}, {8, {}, 1e14}};
   }
-  if constexpr (requires { message.samples; })
-    message.samples = {{1, 2, 3, true}, {4, 5, 6, false}};
+  if constexpr (std::is_same_v<Message, ShadowTask>) {
+    message.rays.resize(2);
+    message.rays[0].back = {3, 7};
+    message.rays[0].crossings = {{1.5, 9, {1, 2, 3}, .5, true, false}, {}};
+  }
+  if constexpr (requires { message.tokens; }) message.tokens = {1, 2, 3};
   if constexpr (requires { message.sent; }) message.sent = {{"RayTask", 3, 4}};
   if constexpr (requires { message.text; }) message.text = "hello";
   if constexpr (requires { message.parcel; }) {
@@ -117,6 +124,20 @@ TEST(Messages, WithAnyByteChangedAreErrorsOrMessages) {
       }
     }
   });
+}
+
+// Structs that are copied as a whole lie in memory as their fields do on the wire.
+TEST(Messages, PackedItemsAreTheirFields) {
+  const auto check = []<class Item>(const Item& item) {
+    ByteWriter one, many;
+    one.Put(uint32_t{1});
+    one.Put(item);
+    many.Put(std::vector<Item>{item});
+    EXPECT_EQ(one.Take(), many.Take());
+  };
+  check(PrimaryTravel{7, 1.5, 9, 3});
+  check(ResultItem{7, {1, 2, 3}, 4});
+  check(PixelItem{7, {1, 2, 3}});
 }
 
 TEST(Messages, SamplesAreTheirTokens) {

@@ -24,6 +24,15 @@ std::string ComplaintAbout(const std::string& name, const std::string& value) {
   return "";
 }
 
+TEST(ParallelOptions, ShadowRaysTravelWhereRaysTravel) {
+  EXPECT_EQ(ParseParallelOptions({}).shadows, Shadows::kLocal);
+  EXPECT_EQ(ParseParallelOptions(With("shadows", "travel")).shadows, Shadows::kTravel);
+  EXPECT_EQ(ComplaintAbout("shadows", "here"), "--shadows here: must be local or travel");
+  Options options = With("shadows", "travel");
+  options.extra.emplace_back("schedule", "demand-driven");
+  EXPECT_THROW(ParseParallelOptions(options), std::invalid_argument);
+}
+
 TEST(ParallelOptions, SizesAreBytesOrHaveALetterForPowersOf1024) {
   EXPECT_EQ(ParseSize("4096"), 4096u);
   EXPECT_EQ(ParseSize("64K"), 65536u);

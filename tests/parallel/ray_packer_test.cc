@@ -26,9 +26,9 @@ Ray Secondary(double x) {
 TEST_F(RayPackerTest, NothingIsSentBeforeAPackIsFullOrFlushed) {
   packer_.AddRay(2, Secondary(1), {}, {}, &outbox_);
   packer_.AddRay(3, Secondary(2), {}, {}, &outbox_);
-  packer_.AddResult(2, {5, {1, 0, 0}, 2, true}, &outbox_);
+  packer_.AddResult(2, {5, {1, 0, 0}, 2}, &outbox_);
   packer_.AddVoid(9, &outbox_);
-  packer_.AddPixel({8, {0, 1, 0}, true}, &outbox_);
+  packer_.AddPixel({8, {0, 1, 0}}, true, &outbox_);
   EXPECT_TRUE(sent_.empty());
   packer_.Flush(&outbox_);
   ASSERT_EQ(sent_.size(), 4u);

@@ -48,6 +48,28 @@ TEST_P(EverySchedule, AnyNumberOfProcessesMakesTheSequentialPictureOfTheBalls) {
   }
 }
 
+TEST(ShadowsThatTravel, MakeTheSequentialPicture) {
+  for (const std::string& text : {Balls(3, 40), GlassScene()}) {
+    const TestPicture sequential = RenderSequentially(text);
+    for (const Schedule schedule : {Schedule::kDataParallel, Schedule::kHybrid}) {
+      for (int processes : {1, 2, 5, 8}) {
+        RunOptions options = SmallCells(schedule, processes);
+        options.shadows = Shadows::kTravel;
+        ExpectSame(text, sequential, options, processes);
+      }
+    }
+  }
+}
+
+TEST(ShadowsThatTravel, AreAnsweredOnceEachAndNoCellIsFetched) {
+  RunOptions options = SmallCells(Schedule::kDataParallel, 8);
+  options.shadows = Shadows::kTravel;
+  const TestPicture run = RenderInParallel(Balls(3, 48), options, 1);
+  EXPECT_GT(run.messages[static_cast<int>(Tag::kShadowTask)], 0u);
+  EXPECT_GT(run.messages[static_cast<int>(Tag::kShadowResults)], 0u);
+  EXPECT_EQ(run.messages[static_cast<int>(Tag::kCellRequest)], 0u);
+}
+
 TEST_P(EverySchedule, AnyResidentSetAndCacheMakesTheSequentialPicture) {
   const std::string text = Balls(3, 32);
   const TestPicture sequential = RenderSequentially(text);

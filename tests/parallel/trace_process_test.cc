@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/support/hand_driven_run.h"
 #include "tests/support/scenes.h"
 
@@ -88,8 +90,9 @@ TEST_F(RunningProcess, RefusesWhatMakesNoSense) {
   ExpectRefused(CellRequest{CellOf(2)}, "not its own cell");
   ExpectRefused(CellRequest{999999}, "no cell");
   ExpectRefused(CellReply{CellOf(2), {}}, "a cell that was not asked for");
-  ExpectRefused(RayResults{{{4, {}, 1, true}}}, "a result for no intersection");
-  ExpectRefused(PrimaryRays{{{1, 1, 9, false}}}, "a sample that the picture does not have");
+  ExpectRefused(RayResults{{{4, {}, 1}}}, "a result for no intersection");
+  ExpectRefused(PrimaryRays{{TokenOf({1, 1, 9, false})}},
+                "a sample that the picture does not have");
   ExpectRefused(Distributed{}, "distributed twice");
   ExpectRefused(Objects{}, "objects after the distribution");
   ExpectRefused(WorkRequest{}, "not for a trace process");
@@ -107,6 +110,20 @@ TEST_F(RunningProcess, RefusesWhatMakesNoSense) {
   task.travel[0].resume = kNoCell;
   task.bundle.media.resize(1);
   ExpectRefused(task, "a medium of no ray");
+
+  ShadowTask shadows;
+  shadows.rays.resize(1);
+  shadows.rays[0].ray.kind = RayKind::kShadow;
+  shadows.rays[0].back = {77, 0};
+  ExpectRefused(shadows, "a shadow ray of no process");
+  shadows.rays[0].back = {2, 0};
+  shadows.rays[0].resume = 999999;
+  ExpectRefused(shadows, "a shadow ray that goes on in no cell");
+  shadows.rays[0].resume = 0;
+  shadows.rays[0].crossings.resize(1);
+  shadows.rays[0].crossings[0].distance = std::nan("");
+  ExpectRefused(shadows, "a shadow ray that crosses nowhere");
+  ExpectRefused(ShadowResults{{{7, true, {}}}}, "a result for no shadow ray");
 
   IntersectionTask hit;
   hit.bundle.rays.resize(1);

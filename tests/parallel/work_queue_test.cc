@@ -24,6 +24,20 @@ TEST(WorkQueue, TheDeepestRaysComeFirst) {
   EXPECT_EQ(queue.size(), 0u);
 }
 
+TEST(WorkQueue, FewDeepRaysWaitForMore) {
+  WorkQueue queue;
+  queue.Push(OfDepth(3), {}, {});
+  for (size_t i = 0; i < kRaysWorthAStep; ++i) queue.Push(OfDepth(1), {}, {});
+  RayQueue rays;
+  ASSERT_TRUE(queue.PopEnough(&rays));
+  EXPECT_EQ(rays.size(), kRaysWorthAStep);
+  EXPECT_EQ(rays.bundle.rays[0].depth, 1);
+  rays.clear();
+  EXPECT_FALSE(queue.PopEnough(&rays));
+  EXPECT_TRUE(queue.PopAny(&rays));
+  EXPECT_EQ(rays.bundle.rays[0].depth, 3);
+}
+
 TEST(WorkQueue, AStepTakesNoMoreThanItsLimit) {
   WorkQueue queue;
   for (size_t i = 0; i < kRaysPerStep + 10; ++i) queue.Push(OfDepth(1), {}, {});
@@ -58,10 +72,10 @@ TEST(WorkQueue, TheSchedulesDifferInWhoAsksAndWhatTravels) {
   EXPECT_TRUE(ForwardsRays(Schedule::kHybrid) && TransfersHits(Schedule::kHybrid));
 }
 
-TEST(WorkQueue, AProcessIsShortOfWorkWithLessThanHalfAPyramid) {
+TEST(WorkQueue, AProcessIsShortOfWorkWithLessThanTwoPyramids) {
   EXPECT_TRUE(ShortOfWork(0, 0, 1)) << "also of pyramids of one ray";
-  EXPECT_TRUE(ShortOfWork(31, 0, 64));
-  EXPECT_FALSE(ShortOfWork(32, 0, 64));
+  EXPECT_TRUE(ShortOfWork(127, 0, 64));
+  EXPECT_FALSE(ShortOfWork(128, 0, 64));
   EXPECT_FALSE(ShortOfWork(0, 128, 64)) << "rays that wait for cells do not pile up";
 }
 

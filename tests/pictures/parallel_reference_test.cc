@@ -1,6 +1,7 @@
 // Every scene of the reference set and of the gallery is the same picture, to the bit, by every
 // schedule with 1, 4 and 7 processes; and images and height fields are only where they are needed.
-// Resolution is reduced where no window in pixels stands in its way.
+// Resolution is reduced where no window in pixels stands in its way, unless RAYSHADE_FULL_SIZE is
+// set (`make reference-parallel`).
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -89,7 +90,8 @@ TEST_P(EveryScene, IsTheSamePictureByEveryScheduleAndNumberOfProcesses) {
   ObjectSpool spool;
   const Settings settings = ParseInto(options, &spool);
   ObjectSpool small;
-  const bool reduced = !settings.window && settings.width * settings.height > 36 * 36;
+  const bool reduced = std::getenv("RAYSHADE_FULL_SIZE") == nullptr && !settings.window &&
+                       settings.width * settings.height > 36 * 36;
   if (reduced) {
     const int most = std::max(settings.width, settings.height);
     options.resolution = {std::max(1, 36 * settings.width / most),

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
+#include "rayshade/common/sample_pattern.h"
 #include "rayshade/render/sample_numbers.h"
 
 namespace rayshade {
@@ -48,6 +50,43 @@ TEST(Camera, CroppingDoesNotChangeTheRaysThatAreKept) {
   cropped.window = Window{5, 15, 7, 18};
   EXPECT_EQ(Camera(whole, 0).PrimaryRay({9, 11, 0, true}).direction,
             Camera(cropped, 0).PrimaryRay({4, 4, 0, true}).direction);
+}
+
+TEST(Camera, LowDiscrepancySamplesStayInTheirSubCellsAndCarryTheirPixelsShift) {
+  Settings settings = Small(8, 8);
+  settings.samples = 4;
+  settings.jitter = true;
+  settings.pattern = SamplePattern::kLowDiscrepancy;
+  const Camera camera(settings, 0);
+  const double pixel = 2 * std::tan(22.5 * kPi / 180) / 8;
+  std::set<uint32_t> shifts;
+  std::set<int> columns;
+  for (uint16_t i = 0; i < 16; ++i) {
+    const Ray ray = camera.PrimaryRay({4, 4, i, false});
+    // In pixels, from the pixel's low corner.
+    const double x = .5 + ray.direction.x / ray.direction.y / pixel;
+    EXPECT_EQ(static_cast<int>(x * 4), i % 4);
+    columns.insert(static_cast<int>(x * 16));
+    shifts.insert(ray.sample_number >> 8);
+    EXPECT_EQ(NumberOf(ray.sample_number), static_cast<uint32_t>(SampleNumber(4, i)));
+  }
+  EXPECT_EQ(columns.size(), 16u);
+  EXPECT_EQ(shifts.size(), 1u);
+}
+
+TEST(Camera, LowDiscrepancyNumbersBeginAtZeroForEveryN) {
+  Settings settings = Small(8, 8);
+  settings.pattern = SamplePattern::kLowDiscrepancy;
+  for (settings.samples = 1; settings.samples <= 8; ++settings.samples) {
+    std::set<uint32_t> numbers;
+    const int cells = settings.samples * settings.samples;
+    for (int i = 0; i < cells; ++i) {
+      const Ray ray = Camera(settings, 0).PrimaryRay({1, 1, static_cast<uint16_t>(i), false});
+      numbers.insert(NumberOf(ray.sample_number));
+    }
+    EXPECT_EQ(numbers.size(), size_t(cells));
+    EXPECT_EQ(*numbers.rbegin(), uint32_t(cells - 1));
+  }
 }
 
 TEST(Camera, TurnsTheEyesTowardsTheLookPoint) {

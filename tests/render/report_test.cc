@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "rayshade/geom/spec.h"
 #include "rayshade/render/progress.h"
 
 namespace rayshade {
@@ -62,11 +63,42 @@ TEST(Report, CountsRaysAndHits) {
   counts.hits = 1;
   counts.shadow_hits = 1;
   const std::string text = Written([&](std::FILE* f) {
-    ReportStatistics(counts, {.25, .25}, 1000, f);
+    ReportStatistics(counts, {}, {.25, .25}, 1000, f);
   });
   EXPECT_NE(text.find("Eye rays:\t\t\t3\n"), std::string::npos);
+  EXPECT_EQ(text.find("not traced"), std::string::npos);
+  counts.rays_saved = 1;
+  const std::string saving = Written([&](std::FILE* f) {
+    ReportStatistics(counts, {}, {.25, .25}, 1000, f);
+  });
+  EXPECT_NE(saving.find("Total rays:\t\t\t4\nRays not traced:\t\t1\n"), std::string::npos);
   EXPECT_NE(text.find("Intersecting rays:\t\t2 (50.000%)\n"), std::string::npos);
   EXPECT_NE(text.find("Total CPU time (sec):\t\t0.50 (0.25u + 0.25s)\n"), std::string::npos);
+  EXPECT_NE(text.find("Total memory allocated:\t\t1000 bytes\n"), std::string::npos);
+}
+
+TEST(Report, HasALineForEachKindThatWasTestedTheLastToAppearFirst) {
+  const size_t sphere = GeomSpec(SphereSpec{}).index(), triangle = GeomSpec(TriangleSpec{}).index();
+  const size_t smooth = GeomSpec(PhongTriangleSpec{}).index();
+  const size_t field = GeomSpec(HeightfieldSpec{}).index(), box = GeomSpec(BoxSpec{}).index();
+  OpCounts counts;
+  counts.kinds[sphere] = {400, 100};
+  counts.kinds[triangle] = {10, 2};
+  counts.kinds[smooth] = {30, 3};
+  counts.kinds[field] = {60, 15};
+  const auto lines = [](const OpCounts& c, const std::vector<size_t>& kinds) {
+    const std::string text = Written([&](std::FILE* f) { ReportStatistics(c, kinds, {}, 0, f); });
+    const size_t begin = text.find("B.V. intersection tests:");
+    return text.substr(begin, text.find("Total CPU") - begin);
+  };
+  EXPECT_EQ(lines(counts, {triangle, box, sphere, field}),
+            "B.V. intersection tests:\t0\n"
+            "Heighfield intersection tests:\t60 (15 hit, 25.000000%)\n"
+            "Sphere intersection tests:\t400 (100 hit, 25.000000%)\n"
+            "Triangle intersection tests:\t40 (5 hit, 12.500000%)\n"
+            "Total prim. intersection tests:\t500 (120 hit, 24.000000%)\n");
+  EXPECT_EQ(lines({}, {sphere}),
+            "B.V. intersection tests:\t0\nTotal prim. intersection tests:\t0\n");
 }
 
 TEST(Progress, ShowsRateAndTimeLeft) {

@@ -116,6 +116,14 @@ TEST_F(DataFile, PngImagesAreReadToo) {
       << "bottom row first";
 }
 
+TEST_F(DataFile, UtahPicturesAreRefusedWithAWayOut) {
+  Write("sky.rle", "\x52\xcc" + std::string(40, '\0'));
+  const Reading r = Scene("sphere 1 0 0 0 texture image sky.rle");
+  EXPECT_EQ(r.status, 1);
+  EXPECT_NE(r.messages.find("Image file sky.rle is Utah RLE"), std::string::npos) << r.messages;
+  EXPECT_NE(r.messages.find("rletopnm sky.rle | pnmtopng > sky.rle.png"), std::string::npos);
+}
+
 TEST_F(DataFile, NumbersFromAnImageNeedOneChannel) {
   Write("photo", "1 1\nabc");
   Write("cut", "100 100\nabc");

@@ -92,6 +92,50 @@ TEST(Options, ShadowTransparencyIsToggledByBothSides) {
   EXPECT_TRUE(Merged({"-o"}, "shadowtransp").shadow_transparency);
 }
 
+TEST(Options, QualityStandsBetweenTheFileAndTheSingleOptions) {
+  const std::string file = "sample 2 nojitter contrast .9 .9 .9 maxdepth 9 cutoff .1";
+  const Settings as_written = Merged({}, file);
+  EXPECT_EQ(as_written.pattern, SamplePattern::kRayshade);
+  EXPECT_EQ(as_written.area_cells, 0);
+  EXPECT_EQ(as_written.light_cutoff, 0);
+  EXPECT_FALSE(as_written.every_pixel_full);
+  const Settings rayshade = Merged({"--quality", "rayshade"}, file);
+  EXPECT_EQ(rayshade.samples, 2);
+  EXPECT_FALSE(rayshade.jitter);
+  EXPECT_EQ(rayshade.pattern, SamplePattern::kRayshade);
+
+  const Settings draft = Merged({"--quality", "draft"}, file);
+  EXPECT_EQ(draft.samples, 1);
+  EXPECT_LT(draft.max_depth, 9);
+  EXPECT_GE(draft.cutoff.r, as_written.cutoff.r);
+  EXPECT_EQ(Merged({"--quality", "draft"}, "maxdepth 1").max_depth, 1);
+  const Settings fine = Merged({"--quality=fine"}, file);
+  EXPECT_EQ(fine.samples, 4);
+  EXPECT_TRUE(fine.jitter);
+  EXPECT_EQ(fine.pattern, SamplePattern::kLowDiscrepancy);
+  EXPECT_EQ(fine.max_depth, 9);
+  const Settings reference = Merged({"--quality", "reference"}, file);
+  EXPECT_EQ(reference.samples, 8);
+  EXPECT_TRUE(reference.every_pixel_full);
+  EXPECT_EQ(reference.cutoff, Color{});
+  EXPECT_EQ(reference.area_cells, 0);
+
+  const Settings single = Merged(
+      {"-S", "3", "--quality", "fine", "-T", ".5", ".5", ".5", "-D", "2", "-C", "0", "0", "0"},
+      file);
+  EXPECT_EQ(single.samples, 3);
+  EXPECT_EQ(single.contrast, (Color{.5, .5, .5}));
+  EXPECT_EQ(single.max_depth, 2);
+  EXPECT_EQ(single.cutoff, Color{});
+  EXPECT_EQ(single.pattern, SamplePattern::kLowDiscrepancy);
+}
+
+TEST(Options, QualityOfAnotherNameIsSaid) {
+  const Said said = Say({"--quality", "best"});
+  EXPECT_EQ(said.result.status, 2);
+  EXPECT_NE(said.err.find("draft, rayshade, fine or reference, not \"best\""), std::string::npos);
+}
+
 TEST(Options, ActFromLeftToRight) {
   EXPECT_TRUE(Merged({"-p"}, "sample 4 nojitter maxdepth 7").jitter);
   EXPECT_EQ(Merged({"-p"}, "sample 4 nojitter maxdepth 7").max_depth, 0);
@@ -166,6 +210,7 @@ TEST(Options, HelpNamesEveryOption) {
     }
     EXPECT_NE(said.out.find("--processes N"), std::string::npos);
     EXPECT_NE(said.out.find("--seed N"), std::string::npos);
+    EXPECT_NE(said.out.find("--quality NAME"), std::string::npos);
     EXPECT_NE(said.out.find("--stats FILE"), std::string::npos);
   }
 }

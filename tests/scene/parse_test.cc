@@ -154,6 +154,20 @@ TEST(Parse, ViewAndSettingsMayStandAnywhere) {
   EXPECT_EQ(s.report_file, "log.txt");
 }
 
+TEST(Parse, CellsOfAnAreaLightAreInOrderAlongACurve) {
+  const RecordingSink sink =
+      Good("light 1 area 0 0 0 1 0 0 1 0 1 0 1 light 1 area 0 0 0 4 0 0 4 0 2 0 2 sphere 1 0 0 0");
+  ASSERT_EQ(sink.lights.size(), 9u);
+  EXPECT_EQ(std::get<AreaCellSpec>(sink.lights[0].source).area, 0u);
+  const uint32_t expected[] = {0, 1, 4, 5, 2, 3, 6, 7};
+  for (int i = 0; i < 8; ++i) {
+    const AreaCellSpec& cell = std::get<AreaCellSpec>(sink.lights[1 + i].source);
+    EXPECT_EQ(cell.area, 1u);
+    EXPECT_EQ(cell.order, expected[i]);
+    EXPECT_EQ(cell.cells, 8u);
+  }
+}
+
 TEST(Parse, LightsComeInFileOrderAndAreasCellByCell) {
   const RecordingSink sink = Good(
       "light 1 point 1 2 3 light .1 .2 .3 directional 0 0 2 noshadow light 6 area 0 0 0 2 0 0 2 0 "
@@ -166,6 +180,7 @@ TEST(Parse, LightsComeInFileOrderAndAreasCellByCell) {
   EXPECT_EQ(std::get<AreaCellSpec>(sink.lights[3].source).corner, (Vector{1, 0, 0}));
   EXPECT_EQ(std::get<AreaCellSpec>(sink.lights[4].source).corner, (Vector{0, 1, 0}));
   EXPECT_EQ(std::get<AreaCellSpec>(sink.lights[4].source).v, (Vector{0, 1, 0}));
+  EXPECT_EQ(std::get<AreaCellSpec>(sink.lights[3].source).cells, 6u);
   EXPECT_EQ(std::get<SpotLightSpec>(sink.lights[8].source).outer, 0);
   EXPECT_EQ(std::get<SpotLightSpec>(sink.lights[9].source).outer, 20);
   EXPECT_EQ(std::get<ExtendedLightSpec>(sink.lights[10].source).radius, 2);

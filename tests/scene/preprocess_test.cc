@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -42,7 +43,7 @@ TEST(Preprocessor, MattersOnlyWhereItCouldChangeSomething) {
     EXPECT_FALSE(PreprocessorMatters(text)) << text;
   }
   for (const char* text : {"#define A", "sphere\r\n", "a\fb", "a // b", "unix", "object linux",
-                           "a__b", "\\", "%:define"}) {
+                           "a__b", "\\", "%:define", "\xef\xbb\xbfsphere"}) {
     EXPECT_TRUE(PreprocessorMatters(text)) << text;
   }
 }
@@ -160,6 +161,28 @@ TEST(Memory, DoesNotGrowWithTheLengthOfTheInput) {
   std::filesystem::remove(file);
   EXPECT_EQ(sink.count, 200000);
   EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 4096) << "kB";
+}
+
+TEST_F(InputText, VerboseTellsOfNamedObjectsWhileItIsRead) {
+  Options options;
+  options.verbose = true;
+  options.report_file = Write("report.txt", "what was there before");
+  const std::string file =
+      Write("named.ray",
+            "name a list sphere 1 0 0 0 box 0 0 0 1 1 1 end\nname b object a\n"
+            "name c union object b torus 2 1 0 0 0 0 0 1 end\nname d sphere 0 "
+            "0 0 0\nname e heightfield " +
+                Write("hf", std::string("\2\0\0\0", 4) + std::string(16, '\0')) + "\nobject c\n");
+  EXPECT_TRUE(ReadFile(file, options).good);
+  std::ifstream report(options.report_file);
+  const std::string text{std::istreambuf_iterator<char>(report), {}};
+  EXPECT_EQ(text,
+            "Reading input file...\nlist \"a\":\n\t2 primitives\ninstance \"b\":\n\t2 primitives\n"
+            "csg \"c\":\n\t3 primitives\nheighfield \"e\":\n\t1 primitive \n");
+  options.report_file = "/nonexistent/report.txt";
+  const Reading refused = ReadFile(file, options);
+  EXPECT_EQ(refused.messages, "rs: Fatal error: Cannot open stats file /nonexistent/report.txt.\n");
+  EXPECT_EQ(refused.status, 2);
 }
 
 }  // namespace

@@ -88,13 +88,19 @@ TEST(Recovery, GivesUpAfterAHundred) {
 
 TEST(Recovery, StrangeBytesAreSyntaxErrors) {
   for (const std::string& text :
-       {std::string("sphere 1 0 0 0\r\nbox 0 0 0 1 1 1"), std::string("sphere\f1 0 0 0"),
-        std::string("sphere 1 0 0 0 \0 box", 20), std::string("sph\xe9re 1 0 0 0"),
+       {std::string("sphere 1 0 0 0 \0 box", 20), std::string("sph\xe9re 1 0 0 0"),
         std::string("sphere 1 0 0 0 # note"), std::string("outfile _x"), std::string("outfile 3x"),
         std::string("outfile a/"), std::string("outfile a/1b"), std::string("outfile \"a\"")}) {
     EXPECT_NE(ReadText(text + " sphere 1 0 0 0").messages.find("syntax error"), std::string::npos)
         << text;
   }
+}
+
+TEST(Recovery, LineEndsOfOtherSystemsAreWhiteSpace) {
+  const Reading r =
+      ReadText("sphere 1 0 0\r\n0\r\n#line 7 \"a.inc\"\r\nbox\f0 0 0 1 1 1\rnosuch\r\n");
+  EXPECT_EQ(r.sink.calls, (Calls{"sphere", "box"}));
+  EXPECT_EQ(r.messages, "rs: Error: a.inc: line 7: syntax error\n");
 }
 
 TEST(Recovery, TokensThatEndTooSoonAreTakenAsFarAsTheyGo) {
@@ -141,14 +147,18 @@ TEST(Recovery, WhatTheOriginalCrashedOnIsDroppedWithAWarning) {
   EXPECT_EQ(ReadText("report 0 sphere 1 0 0 0").sink.settings.at(0).report_frequency, 1);
 }
 
-TEST(Recovery, CsgOfOtherThanTwoIsAnError) {
+TEST(Recovery, CsgOfOtherThanTwoIsDroppedWithAWarning) {
   const std::string ball = "sphere 1 0 0 0 ";
   const Reading three = ReadText("union " + ball + ball + ball + "end " + ball);
-  EXPECT_NE(three.messages.find("Currently, CSG only handles two objects."), std::string::npos);
-  EXPECT_EQ(three.status, 1);
-  EXPECT_NE(
-      ReadText("union " + ball + "end " + ball).messages.find("CSG needs at least two objects."),
-      std::string::npos);
+  EXPECT_EQ(three.messages,
+            "rs: Warning: stdin, line 1: Currently, CSG only handles two objects.\n");
+  const Reading one = ReadText("intersect " + ball + "end " + ball);
+  EXPECT_EQ(one.messages, "rs: Warning: stdin, line 1: CSG needs at least two objects.\n");
+  EXPECT_TRUE(three.good && one.good);
+  // What names such an object names none.
+  const Reading named = ReadText("name X union " + ball + "end object X " + ball);
+  EXPECT_NE(named.messages.find("There is no object named \"X\"."), std::string::npos);
+  EXPECT_EQ(named.status, 2);
 }
 
 TEST(Recovery, OpenOperandsAreAdvisedOnceAndNotWithQuiet) {

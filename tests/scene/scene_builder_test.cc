@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rayshade/render/camera.h"
 #include "tests/shade/text_scene.h"
 
 namespace rayshade {
@@ -72,12 +73,59 @@ TEST(SceneBuilder, ABoundedListClipsItsPlane) {
   EXPECT_EQ(Seen("name f list plane r 0 5 0 0 1 0 sphere g 1 0 0 0 end object f", 1.5), '.');
 }
 
+TEST(SceneBuilder, AUnionWithAPlaneIsClippedByItsOwnBoxAndOthers) {
+  // Part 2, s.8.5 and 9.2: it counts as bounded, and ends where the world's box does.
+  const std::string both = "union plane r 0 5 0 0 -1 0 sphere g 1 0 0 0 end\n";
+  EXPECT_EQ(Seen(both), 'g');
+  EXPECT_EQ(Seen(both, .9, .9), 'r');
+  EXPECT_EQ(Seen(both, 1.5), '.');
+  EXPECT_EQ(Seen(both + "sphere b 1 9 0 9", 1.5), 'r') << "a far object enlarges the box";
+  EXPECT_EQ(Seen("list " + both + "end", 1.5), '.');
+  EXPECT_EQ(Seen("name f " + both + "object f", 1.5), '.');
+  // Without a box it has no end: only the second operand has one.
+  EXPECT_EQ(Seen("difference plane r 0 5 0 0 1 0 sphere g 1 0 5 0 end sphere g 1 0 9 0", 9), 'r');
+}
+
+// The pictures that part 2, s.8.5 counts: pixels that show the plane.
+TEST(SceneBuilder, APlaneShowsInAsManyPixelsAsInTheOriginal) {
+  const auto pixels = [](const std::string& text) {
+    test::TextScene scene(kHead + ("screen 32 32 sample 1 nojitter eyep 0 -10 3 fov 30\n" + text));
+    const Camera camera(scene.scene().settings(), 0);
+    int red = 0;
+    for (int i = 0; i < 32 * 32; ++i) {
+      Sample sample;
+      sample.x = i % 32;
+      sample.y = i / 32;
+      sample.single = true;
+      red += scene.Trace(camera.PrimaryRay(sample)).color.r > 0;
+    }
+    return red;
+  };
+  const std::string both = "plane r 0 0 -1 0 0 1 sphere g 1 0 0 0 ";
+  EXPECT_EQ(pixels(both), 912);
+  EXPECT_EQ(pixels("list " + both + "end"), 66);
+  EXPECT_EQ(pixels("grid 1 1 1 " + both + "end"), 66);
+  EXPECT_EQ(pixels("union " + both + "end"), 66);
+  EXPECT_EQ(pixels("name f list " + both + "end object f"), 66);
+  EXPECT_EQ(pixels("list " + both + "end box 100 100 100 101 101 101"), 425);
+}
+
 TEST(SceneBuilder, NamedObjectsBringTheirContentIntoCsg) {
   const std::string scene =
       "name hole list sphere g 1 0 0 0 end translate 0 -1 0\n"
       "difference box r -1 -1 -1 1 1 1 object hole end";
   EXPECT_EQ(Seen(scene), 'g') << "the cut face";
   EXPECT_EQ(Seen(scene, .99, .99), 'r');
+}
+
+TEST(SceneBuilder, ObjectsMayBeEnlargedByAnyFactor) {
+  // Part 2, s.3.6 and 15: the original lost them beyond 1e5, and left their normals short.
+  test::TextScene scene(
+      "light 1 directional 0 -1 0\nsphere diffuse 1 1 1 1e-4 0 0 0 scale 1e3 1e3 1e3 scale 1e4 1e4 "
+      "1e4\n");
+  EXPECT_NEAR(scene.Trace({0, -1e4, 0}, {0, 1, 0}).color.r, 1, 1e-9);
+  EXPECT_NEAR(scene.Trace({600, -1e4, 0}, {0, 1, 0}).color.r, .8, 1e-9);
+  EXPECT_FALSE(scene.Trace({1001, -1e4, 0}, {0, 1, 0}).hit);
 }
 
 TEST(SceneBuilder, EachFrameHasItsObjectsWhereTheyAreThen) {
@@ -105,6 +153,27 @@ TEST(SceneBuilder, EachFrameHasItsObjectsWhereTheyAreThen) {
       EXPECT_TRUE(hits(0, -10 * other));
     }
   }
+}
+
+TEST(SceneBuilder, TexturesMoveWhereObjectsAreStale) {
+  // Part 1, s.5.12 and 5.14: all rays have time 0, objects stand where they are at time 1.
+  const std::string scene =
+      "plane r 0 5 0 0 1 0 texture checker g translate (.5 + time) .5 .5\nshutter 1\n";
+  EXPECT_EQ(Seen(scene, 0, 0, 0, 0), 'r');
+  EXPECT_EQ(Seen(scene, 0, 0, 0, 1), 'g');
+  EXPECT_EQ(Seen(scene + "sample 1 nojitter", 0, 0, 0, 1), 'r');
+}
+
+TEST(SceneBuilder, CountsPrimitivesAsOftenAsTheyArePlaced) {
+  SceneBuilder builder;
+  Options options;
+  Diagnostics diagnostics("test");
+  ASSERT_TRUE(
+      ParseText("name a list sphere 1 0 0 0 box 1 1 1 2 2 2 end name b object a name u sphere 1 "
+                "0 0 0\nname c union sphere 1 0 0 0 object a end\n"
+                "list object a object b end object c grid 1 1 1 object c end disc 1 0 0 0 0 0 1",
+                options, &diagnostics, &builder));
+  EXPECT_EQ(builder.primitives_placed(), 2u + 2 + 3 + 3 + 1);
 }
 
 TEST(SceneBuilder, WhatIsNotUsedCostsNothing) {

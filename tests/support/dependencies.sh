@@ -1,5 +1,5 @@
 #!/bin/sh
-# What the project needs from the system, and how to get it: dependencies.sh [build] [test] [charts]
+# What the project needs from the system, and how to get it: dependencies.sh [build] [test] [charts] [fuzz] [count]
 # Each line of a group is a package and the one cheap look that shows whether it is there (a command, or a header with
 # its full path). Nothing missing: silence and status 0, in a few milliseconds, so that every `make` can ask.
 # Something missing: apt-get installs it, as root or through sudo; elsewhere the list is printed, and the status is 1.
@@ -15,6 +15,8 @@ libpng-dev /usr/include/png.h
 pvm pvmd
 pvm-dev /usr/include/pvm3.h' ;;
     test) echo 'libgtest-dev /usr/include/gtest/gtest.h' ;;
+    fuzz) echo 'clang clang++' ;;
+    count) echo 'valgrind valgrind' ;;
     charts) echo 'gnuplot-nox gnuplot' ;;
     *) echo "dependencies.sh: no group named $1" >&2; exit 2 ;;
   esac

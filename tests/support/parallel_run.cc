@@ -11,6 +11,7 @@
 
 #include "parallel/host_process.h"
 #include "parallel/object_spool.h"
+#include "parallel/sim/fault_plan.h"
 #include "parallel/sim/simulator.h"
 #include "parallel/trace_process.h"
 #include "rayshade/common/diagnostics.h"
@@ -99,7 +100,8 @@ TestPicture RenderInParallel(ObjectSpool* spool, int frame, const RunOptions& op
     trace.push_back(std::make_unique<TraceProcess>(&meter));
     processes.push_back(trace.back().get());
   }
-  Simulator simulator(processes, seed);
+  FaultTiming timing(PlanFaults(seed), processes.size());  // for its times
+  Simulator simulator(processes, &timing);
   simulator.Run();
   if (host.phase() != HostProcess::Phase::kDone) throw std::runtime_error(host.failure());
   TestPicture result;

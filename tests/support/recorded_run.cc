@@ -6,6 +6,7 @@
 
 #include "parallel/host_process.h"
 #include "parallel/object_spool.h"
+#include "parallel/sim/fault_plan.h"
 #include "parallel/sim/simulator.h"
 #include "parallel/trace_process.h"
 #include "tests/support/parallel_run.h"
@@ -75,11 +76,14 @@ std::vector<Traveller> RecordedRun::Travellers(const SentMessage& message) const
   return list;
 }
 
-std::vector<PixelItem> RecordedRun::Pixels(const SentMessage& message) {
-  if (message.tag != Tag::kPixelResults) return {};
-  PixelResults results = Decode<PixelResults>(message.bytes);
-  for (uint64_t token : results.voids) results.results.push_back({token, {}, false});
-  return results.results;
+std::vector<Pixel> RecordedRun::Pixels(const SentMessage& message) {
+  std::vector<Pixel> pixels;
+  if (message.tag != Tag::kPixelResults) return pixels;
+  const PixelResults results = Decode<PixelResults>(message.bytes);
+  for (uint64_t token : results.voids) pixels.push_back({token, {}, false});
+  for (const PixelItem& miss : results.misses) pixels.push_back({miss.token, miss.color, false});
+  for (const PixelItem& hit : results.hits) pixels.push_back({hit.token, hit.color, true});
+  return pixels;
 }
 
 ProcessId RecordedRun::OwnerAt(const Ray& ray, double distance) const {
@@ -107,7 +111,8 @@ RecordedRun RecordRun(const std::string& text, const RunOptions& options, uint64
     add(trace);
     owned.emplace_back(trace);
   }
-  Simulator(processes, seed).Run();
+  FaultTiming timing(PlanFaults(seed), processes.size());  // for its times
+  Simulator(processes, &timing).Run();
   if (host.phase() != HostProcess::Phase::kDone) throw std::runtime_error(host.failure());
   run.tree = host.tree();
   run.camera = std::make_unique<Camera>(spool.scene().settings, 0);

@@ -40,6 +40,13 @@ struct Traveller {
   Travel travel;
 };
 
+// A primary ray's result in a PixelResults.
+struct Pixel {
+  uint64_t token = 0;
+  Color color;
+  bool hit = false;
+};
+
 struct RecordedRun {
   std::vector<SentMessage> sent;  // in order of sending; copies of the same message share nothing
   CellTree tree;
@@ -59,7 +66,7 @@ struct RecordedRun {
   // The rays of a RayTask or an IntersectionTask, and the pixels of a PixelResults; of other
   // messages none.
   std::vector<Traveller> Travellers(const SentMessage& message) const;
-  static std::vector<PixelItem> Pixels(const SentMessage& message);
+  static std::vector<Pixel> Pixels(const SentMessage& message);
   // The cell that a hit at this distance lies in is this process's; kHost: outside of the tree.
   ProcessId OwnerAt(const Ray& ray, double distance) const;
 };

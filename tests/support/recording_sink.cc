@@ -69,10 +69,12 @@ void RecordingSink::BeginAggregate(AggregateKind kind, const int counts[3]) {
   }
   calls.push_back(call);
   members_.push_back(0);
+  csg_.push_back(IsCsg(kind));
 }
 bool RecordingSink::EndAggregate(Attributes&& around) {
-  const bool kept = members_.back() > 0;
+  const bool kept = csg_.back() ? members_.back() == 2 : members_.back() > 0;
   members_.pop_back();
+  csg_.pop_back();
   members_.back() += kept;
   calls.push_back((kept ? "end" : "end of nothing") + Around(around));
   return kept;

@@ -35,6 +35,7 @@ class RecordingSink : public SceneSink {
 
  private:
   std::vector<int> members_{0};
+  std::vector<bool> csg_;  // of open aggregates
   DefinitionId definitions_ = 0;
 };
 

@@ -1,0 +1,77 @@
+#!/bin/bash
+# `make agreement`: the simulator against real runs over PVM on this machine, by BUILD/this.machine of `make calibrate`:
+#   agreement.sh BUILD [measure|simulate|compare]
+# (all three, in turn, unless one is named). Prints each comparison with its bar; the status is 0 where all are met.
+# AGREEMENT_ROUNDS (default 3): real tracing times are the medians of so many runs. AGREEMENT_PIXELS (default 512).
+set -u
+cd "$(dirname "$0")/../.." || exit 2
+build=$(cd "$1" && pwd) || exit 2
+phase=${2:-all} rounds=${AGREEMENT_ROUNDS:-3} pixels=${AGREEMENT_PIXELS:-512} out=$build/agreement
+[ -s "$build/this.machine" ] || { echo "agreement: run make calibrate first" >&2; exit 1; }
+mkdir -p "$out" || exit 1
+[ -s "$out/balls6.ray" ] || "$build/sphereflake" 6 --paper >"$out/balls6.ray" || exit 1
+cp scenes/balls5.ray "$out" && cpp -P scenes/room8.ray >"$out/room8.ray" || exit 1
+value() { awk -v key="$2" -f tests/support/json_value.awk "$1"; }
+
+each() { # each FUNCTION: FUNCTION NAME SCENE OPTIONS...
+  local scene schedule processes
+  for scene in balls5 balls6 room8; do
+    for schedule in data-parallel hybrid; do
+      for processes in 1 2; do
+        "$1" "$scene-$schedule-$processes" "$scene" --schedule $schedule --processes $processes \
+          --memory 2G --resident 4M --cache 256M -q -R "$pixels" "$pixels"
+      done
+    done
+  done
+}
+measure() {
+  local name=$1 scene=$2 i; shift 2
+  for ((i = 1; i <= rounds; i++)); do
+    "$build/prayshade" "$@" --stats "$out/$name.json" -O "$out/$name.png" "$out/$scene.ray" || exit 1
+    value "$out/$name.json" trace_seconds >>"$out/$name.times"
+  done
+}
+simulate() {
+  local name=$1 scene=$2; shift 2
+  "$build/prayshade-sim" "$@" --machine "$build/this.machine" --stats "$out/$name-sim.json" -O "$out/$name-sim.png" "$out/$scene.ray" || exit 1
+}
+
+failures=0
+bar() { # bar NAME WHAT REAL SIMULATED PERCENT
+  awk -v name="$1" -v what="$2" -v real="$3" -v simulated="$4" -v percent="$5" 'BEGIN {
+    off = real == simulated ? 0 : real == 0 ? 100 : 100 * (simulated / real - 1)
+    met = percent == 0 ? real == simulated : off <= percent && off >= -percent
+    printf "%-26s %-14s %12.6g %12.6g %+7.1f%%  %s\n", name, what, real, simulated, off,
+      met ? (percent == 0 ? "equal" : "within " percent "%") : "NOT " (percent == 0 ? "equal" : "within " percent "%")
+    exit !met }' || failures=$((failures + 1))
+}
+compare() {
+  local name=$1 key percent=10
+  bar "$name" trace_seconds "$(sort -g "$out/$name.times" | awk '{ v[NR] = $1 } END { print v[int((NR + 1) / 2)] }')" \
+    "$(value "$out/$name-sim.json" trace_seconds)" 20
+  [[ $name != *data-parallel* ]] || percent=0
+  for key in rays.primary rays.shadow rays.reflected operations.hits operations.shadow_hits forwarded_rays; do
+    bar "$name" "${key#*.}" "$(value "$out/$name.json" $key)" "$(value "$out/$name-sim.json" $key)" $percent
+  done
+  for key in messages bytes_sent; do
+    bar "$name" $key "$(traced "$out/$name.json" $key)" "$(traced "$out/$name-sim.json" $key)" 10
+  done
+}
+# What was sent while tracing: the whole without the distribution of the objects.
+traced() {
+  awk -v a="$(value "$1" "$2")" -v b="$(value "$1" "sent_by_kind.Objects.${2%_sent}")" \
+    -v c="$(value "$1" "sent_by_kind.ObjectsTaken.${2%_sent}")" 'BEGIN { print a - b - c }'
+}
+
+if [ "$phase" = all ] || [ "$phase" = measure ]; then
+  rm -f "$out"/*.times
+  [ -n "${PVM_VMID:-}" ] || export PVM_VMID=agreement$$
+  each measure
+fi
+if [ "$phase" = all ] || [ "$phase" = simulate ]; then each simulate; fi
+if [ "$phase" = all ] || [ "$phase" = compare ]; then
+  printf '%-26s %-14s %12s %12s %8s\n' run what real simulated off
+  each compare
+  [ $failures = 0 ] && echo "all bars are met" || echo "$failures bars are not met"
+fi
+exit $((failures > 0))

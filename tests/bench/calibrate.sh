@@ -1,0 +1,72 @@
+#!/bin/bash
+# `make calibrate`: measures this machine for the simulator: calibrate.sh BUILD
+#   1. operations: sequential runs of eight scenes, unit costs by least squares (fit.awk);
+#   2. messages: ping_pong over PVM, by the project's own transport.
+# Writes BUILD/this.machine, which `make agreement` uses, brings the lines of parallel/sim/machines/*.machine that are
+# tagged `measured` up to date, and fits powerxplorer's slowness anew. CALIBRATE_ROUNDS (default 3): the least time counts.
+set -u
+cd "$(dirname "$0")/../.." || exit 2
+build=$(cd "$1" && pwd) || exit 2
+rounds=${CALIBRATE_ROUNDS:-3} out=$build/calibrate machines=parallel/sim/machines
+mkdir -p "$out" || exit 1
+fail() { echo "calibrate: $*" >&2; exit 1; }
+value() { awk -v key="$2" -f tests/support/json_value.awk "$1"; }
+
+# Scenes: four of the usual kind, and four in which one operation outweighs the others.
+for n in 4 6; do [ -s "$out/balls$n.ray" ] || "$build/sphereflake" $n --paper >"$out/balls$n.ray" || fail "sphereflake"; done
+cp scenes/balls5.ray "$out" || exit 1
+for n in 8 30; do cpp -P "scenes/room$n.ray" >"$out/room$n.ray" || fail "cpp"; done
+view='eyep 0 -8 3 fov 45 45 sample 1 nojitter contrast 1 1 1 surface s diffuse .5 .5 .5'
+echo "$view sphere s .001 0 0 3" >"$out/sky.ray"
+echo "$view plane s 0 0 -1 0 -.7 1" >"$out/plane.ray"
+{ echo "$view"; for i in {1..30}; do echo "light .03 point $i 1 20"; done; echo "plane s 0 0 -1 0 -.7 1"; } >"$out/lights.ray"
+
+# Operations.
+echo "ray node_visit primitive_test shade light_sample sample" >"$out/runs.txt"
+for scene in sky plane lights balls4 balls5 balls6 room8 room30; do
+  for pixels in 256 512; do
+    least=
+    for ((i = 0; i < rounds; i++)); do
+      "$build/rayshade" -q -R $pixels $pixels --stats "$out/run.json" -O "$out/run.png" "$out/$scene.ray" || fail "$scene"
+      seconds=$(value "$out/run.json" trace_seconds)
+      least=$(awk -v a="$seconds" -v b="${least:-$seconds}" 'BEGIN { print a < b ? a : b }')
+    done
+    line="$scene-$pixels $least $(value "$out/run.json" rays.total)"
+    for name in node_visits primitive_tests shades light_samples; do line="$line $(value "$out/run.json" operations.$name)"; done
+    echo "$line $((2 * $(value "$out/run.json" rays.primary)))" >>"$out/runs.txt"
+    [ "$scene-$pixels" != balls6-512 ] || object=$(awk -v s="$(value "$out/run.json" build_seconds)" \
+      -v n="$(value "$out/run.json" objects)" 'BEGIN { printf "%.4g", s / n }')
+  done
+done
+awk -f tests/bench/fit.awk "$out/runs.txt" >"$out/measured.txt" || fail "fit.awk"
+echo "object $object" >>"$out/measured.txt"
+
+# Messages.
+pvm_conf/private-vm "$build/ping_pong" >>"$out/measured.txt" || fail "ping_pong"
+
+# This machine.
+awk -v processors="$(nproc)" -v memory="$(awk '/^MemTotal/ { printf "%.0f", 1024 * $2 }' /proc/meminfo)" '
+  { cost[$1] = $2 }
+  END {
+    print "# This machine, by make calibrate."
+    print "nodes 1 measured\nprocessors", processors, "measured\nmemory", memory, "measured\nsystem 0 assumed"
+    print "host_apart 0 assumed\nslowness 1 measured\nnode_slowness 1 measured"
+    print "cell_step", cost["node_visit"], "assumed as a node_visit"
+    for (name in cost) print name, cost[name], "measured"
+    print "latency 0 assumed there is one node\ngap 0 assumed\nshared_gap 0 assumed\njitter 0 assumed"
+  }' "$out/measured.txt" >"$build/this.machine" || exit 1
+cat "$build/this.machine"
+
+# The project's machines: values of lines tagged `measured`; columns stay where they are.
+for file in "$machines"/*.machine; do
+  awk -v measured="$out/measured.txt" '
+    BEGIN { while ((getline line < measured) > 0) { split(line, part, " "); cost[part[1]] = part[2] } cost["cell_step"] = cost["node_visit"] }
+    ($1 in cost) && ($3 == "measured" || $1 == "cell_step") { sub(/[^ ]+ */, sprintf("%-16s ", $1)); sub(/ [^ ]+ +[a-z]+/, sprintf(" %-10s %s", cost[$1], $3)) }
+    { print }' "$file" >"$out/new.machine" && cp "$out/new.machine" "$file" || fail "$file"
+done
+file=$machines/powerxplorer.machine
+"$build/prayshade-sim" -q --machine "$file" --processes 32 --stats "$out/run.json" -O "$out/run.png" scenes/balls5.ray || fail "prayshade-sim"
+slowness=$(awk -v told="$(value "$out/run.json" sequential_seconds)" '
+  $1 == "slowness" { slowness = $2 } $1 == "node_slowness" { node = $2 } END { printf "%.4g", slowness * node * 34.5 / told }' "$file")
+sed -i -E "s/^(slowness +)[^ ]+/\1$slowness/" "$file"
+echo "powerxplorer: slowness $slowness, fitted to the sequential time of balls5 in table 1, 34.5 s"
