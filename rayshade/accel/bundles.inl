@@ -75,10 +75,12 @@ RAYSHADE_ROUTINE void NearestInLeafOfBundle(const TraceView& view, Bundle* b, co
     const LeafObject o = ObjectOfLeaf(view, e.branch, i);
     for (uint32_t m = e.groups; m != 0; m &= m - 1) {
       const int g = __builtin_ctz(m);
-      if (RaysThatMayMeet(*b, g, leaf, o.kind, i) == 0) continue;
+      const uint32_t may = RaysThatMayMeet(*b, g, leaf, o.kind, i);
+      if (may == 0) continue;
       const Met met = MeetObject(*b, g, o);
       if (met.hit != 0 && TakeNearest(view, b, g, met, o, hits)) changed |= 1u << g;
-      if (met.unsure != 0 && AskNearest(view, b, g, met.unsure, o.object, hits)) changed |= 1u << g;
+      const uint32_t unsure = met.unsure & may;
+      if (unsure != 0 && AskNearest(view, b, g, unsure, o.object, hits)) changed |= 1u << g;
     }
   }
   if (changed == 0) return;
@@ -171,14 +173,25 @@ RAYSHADE_ROUTINE void BlockInLeafOfBundle(const TraceView& view, Bundle* b, cons
     if (!opaque && fate.crossed == nullptr) continue;
     for (uint32_t m = e.groups; m != 0; m &= m - 1) {
       const int g = __builtin_ctz(m);
-      if (RaysThatMayMeet(*b, g, leaf, o.kind, i) == 0) continue;
+      uint32_t surely;
+      const uint32_t may = RaysThatMayMeet(*b, g, leaf, o.kind, i, opaque ? &surely : nullptr);
+      if (may == 0) continue;
+      if (opaque && surely != 0) {
+        b->live[g] &= ~surely;
+        if (b->live[g] == 0) b->most[g] = -1;
+        for (uint32_t bits = surely; bits != 0; bits &= bits - 1) {
+          fate.blocked[8 * g + __builtin_ctz(bits)] = 1;
+          CountHit(view, o.object, counters);
+        }
+        if (may == surely) continue;
+      }
       const Met met = MeetObject(*b, g, o);
-      if ((met.hit | met.unsure) == 0) continue;
+      const uint32_t met_bits = (met.hit | met.unsure) & may & b->live[g];
+      if (met_bits == 0) continue;
       alignas(64) double at[8];
       Store(met.distance, at);
-      for (uint32_t bits = met.hit | met.unsure; bits != 0; bits &= bits - 1) {
+      for (uint32_t bits = met_bits; bits != 0; bits &= bits - 1) {
         const int lane = __builtin_ctz(bits), ray = 8 * g + lane;
-        if (!b->has(g, lane)) continue;
         const bool sure = (met.hit >> lane & 1) != 0;
         const Meeting meeting = MeetingOf(view, *b, ray, sure, at[lane], o, opaque);
         if (meeting == Meeting::kTransparent && fate.crossed != nullptr) fate.crossed[ray] = 1;

@@ -43,15 +43,19 @@ struct SeenLeaf {
   bool known;     // else nothing may be left out
   uint32_t bits;  // objects that some ray may meet
   uint32_t around;
-  alignas(32) float part[18][8];
+  alignas(32) float part[19][8];
 };
 
 RAYSHADE_KERNEL void SeeLeaf(const TraceView& view, const Bundle& b, uint64_t branch,
                              SeenLeaf* leaf) {
   const LeafKind kind = KindOf(branch);
   leaf->bits = (1u << CountOf(branch)) - 1;
-  leaf->known = b.pointed && leaf->bits != 0 && kind != kOtherLeaf;
+  leaf->known = leaf->bits != 0 && (b.pointed || kind == kOtherLeaf);
   if (!leaf->known) return;
+  if (kind == kOtherLeaf) {
+    leaf->bits &= SeeBoxes(view, branch, b, leaf->part);
+    return;
+  }
   const Slopes<float>& w = b.whole;
   const Corner corner = {SetF(w.u_low), SetF(w.u_high), SetF(w.v_low), SetF(w.v_high)};
   if (kind == kSphereLeaf) {
@@ -76,12 +80,16 @@ RAYSHADE_KERNEL void SeeLeaf(const TraceView& view, const Bundle& b, uint64_t br
   Store(s.least, leaf->part[15]);
   Store(s.height, leaf->part[16]);
   Store(s.height_margin, leaf->part[17]);
+  Store(s.inside, leaf->part[18]);
 }
 
-// The rays of a group that may meet an object: bits.
+// The rays of a group that may meet an object: bits. *surely, where it is not null: those that its
+// own test surely counts as hits.
 RAYSHADE_KERNEL uint32_t RaysThatMayMeet(const Bundle& b, int g, const SeenLeaf& leaf,
-                                         LeafKind kind, uint32_t i) {
+                                         LeafKind kind, uint32_t i, uint32_t* surely = nullptr) {
+  if (surely != nullptr) *surely = 0;
   if (!leaf.known) return b.live[g];
+  if (kind == kOtherLeaf) return RaysAtSeenBox(b, g, leaf.part, i) & b.live[g];
   const F8 u = LoadF(b.ray_u[g]), v = LoadF(b.ray_v[g]), depth = LoadF(b.ray_most[g]);
   const auto part = [&](int k) { return SetF(leaf.part[k][i]); };
   if (kind == kSphereLeaf) {
@@ -92,6 +100,13 @@ RAYSHADE_KERNEL uint32_t RaysThatMayMeet(const Bundle& b, int g, const SeenLeaf&
   const F8 least = part(15);
   const auto at = [&](int k) { return part(k) * u + part(k + 1) * v + part(k + 2); };
   const F8 edges = Min(Min(at(0), at(3)), Min(at(6), at(9)));
-  const F8 reached = HeightReached(at(12), depth, part(17), b.viewpoint.q_sum);
-  return ~(Less(edges, least) | Less(reached, part(16))) & b.live[g];
+  const F8 height = part(16), height_margin = part(17), cosine = at(12);
+  const F8 reached = HeightReached(cosine, depth, height_margin, b.viewpoint.q_sum);
+  const uint32_t may = ~(Less(edges, least) | Less(reached, height)) & b.live[g];
+  if (surely != nullptr && may != 0 && b.sure) {
+    const F8 short_of = HeightSurelyReached(cosine, depth, height_margin, b.viewpoint.q_sum);
+    *surely = may & Less(part(18), edges) & Less(height, short_of) &
+              Less(SetF(kSureCosine * b.viewpoint.q_sum), cosine);
+  }
+  return may;
 }

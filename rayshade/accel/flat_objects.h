@@ -36,7 +36,7 @@ struct FlatObjects {
   const FlatTriangle* triangles;
   const FlatPolygon* polygons;
   const Vector* points;
-  const float* quads;  // around triangles and polygons (quads.h), by leaves; of all items
+  const float* quads;  // around all items (quads.h), by leaves
 };
 
 }  // namespace rayshade

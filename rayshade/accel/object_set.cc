@@ -48,7 +48,7 @@ struct ObjectSet::Impl {
   GrowingArray<Node> nodes;
   std::vector<uint32_t> unbounded;
   std::vector<uint8_t> opaque;  // by placement
-  std::vector<float> quads;     // around flat objects (quads.h)
+  std::vector<float> quads;     // around all but spheres (quads.h)
   Bounds bounds;
   OtherObjects others{&objects};
   FlatObjects flat;
@@ -107,14 +107,14 @@ void ObjectSet::Impl::Build() {
   view.callbacks = OtherObjects::Callbacks();
 }
 
-// Quadrilaterals of all leaves of triangles and polygons.
+// Quadrilaterals of all leaves but those of spheres.
 void ObjectSet::Impl::MakeQuads() {
   const uint32_t spheres = objects.sphere_count();
   // Kernels load eight numbers from the last row.
   if (objects.size() > spheres) quads.resize(kQuadRows * (objects.size() - spheres) + kLeafSize);
   for (const Node& node : nodes) {
     for (const uint64_t branch : node.branch) {
-      if (KindOf(branch) != kTriangleLeaf && KindOf(branch) != kPolygonLeaf) continue;
+      if (KindOf(branch) <= kSphereLeaf) continue;
       const uint32_t first = ChildOf(branch), count = CountOf(branch);
       Quad leaf[kLeafSize];
       for (uint32_t i = 0; i < count; ++i) leaf[i] = objects.QuadAround(first + i, view.center);

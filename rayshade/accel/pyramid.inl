@@ -37,6 +37,7 @@ struct Bundle {
   int groups;
   bool from_end;
   bool pointed;     // the apex is a point, and viewpoint is set
+  bool sure;        // and no hit on a triangle is checked against its box
   double apex[3];   // a corner of it
   Viewpoint viewpoint;
   uint32_t live[kGroups];  // bits of the rays that are still of interest
@@ -221,6 +222,7 @@ RAYSHADE_KERNEL void FindViewpoint(const TraceView& view, const Spread apex[3], 
     }
   }
   b->pointed = size <= 1e-12 * reach && reach < kSureDistance;
+  b->sure = false;
   if (b->pointed) SetViewpoint(view, apex, 2 * size + 1e-14 * reach, b);
 }
 

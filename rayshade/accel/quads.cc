@@ -60,12 +60,13 @@ void RectangleAround(std::span<const Vector> points, const Vector& normal, Vecto
 }  // namespace
 
 Quad QuadAround(std::span<const Vector> points, const Vector& normal, double offset,
-                const double center[3]) {
+                const double center[3], double room) {
   Vector corner[4];
   const bool triangle = points.size() == 3;
-  if (triangle || IsConvexQuad(points, normal)) {
+  const bool own = triangle || IsConvexQuad(points, normal);
+  if (own) {
     std::copy(points.begin(), points.end(), corner);
-    if (triangle) corner[3] = corner[2];
+    if (triangle) corner[3] = 0.5 * (corner[2] + corner[0]);
   } else {
     RectangleAround(points, normal, corner);
   }
@@ -93,13 +94,23 @@ Quad QuadAround(std::span<const Vector> points, const Vector& normal, double off
     for (int k = 0; k < i; ++k) diameter = std::max(diameter, Length(corner[i] - corner[k]));
   }
   quad.row[17] = static_cast<float>(1.00001 * diameter);
+  const float endless = std::numeric_limits<float>::infinity();
+  // Hits lie no farther outside of the convex hull of the points than these are off the plane.
+  quad.row[18] = own && 2 * quad.row[16] <= room ? 0 : endless;
   // A rectangle could not be made, or single precision ends here.
-  const bool sound = std::all_of(quad.row, quad.row + kQuadRows,
+  const bool sound = std::all_of(quad.row, quad.row + 18,
                                  [](float x) { return std::isfinite(x) && std::abs(x) < 1e15f; });
   if (!sound) {
     std::fill(quad.row, quad.row + kQuadRows, 0.0f);
-    quad.row[16] = std::numeric_limits<float>::infinity();
+    quad.row[16] = quad.row[18] = endless;
   }
+  return quad;
+}
+
+Quad BoxAsQuad(const float low[3], const float high[3]) {
+  Quad quad{};
+  std::copy(low, low + 3, quad.row);
+  std::copy(high, high + 3, quad.row + 3);
   return quad;
 }
 

@@ -5,8 +5,11 @@
 //   for the margins of filter.inl, which know how far points are off the plane.
 //   2. A leaf's quadrilaterals lie as rows: 12 rows of corners (x, y, z of each), three of the
 //   normal, one of the offset, one of how far points are off the plane (infinite: nothing is known
-//   about the object), one of the diameter.
-//   3. Corners run around the normal the same way in all of them.
+//   about the object), one of the diameter, one that is 0 where the quadrilateral is the object
+//   itself and its hits lie in its world box, else infinite.
+//   3. Corners run around the normal the same way in all of them. Of a triangle, the fourth halves
+//   an edge.
+//   4. Leaves of other objects have boxes in the first six rows: low x, y, z, high x, y, z.
 #pragma once
 
 #include <cstdint>
@@ -17,16 +20,20 @@
 
 namespace rayshade {
 
-inline constexpr int kQuadRows = 18;
+inline constexpr int kQuadRows = 19;
 
 // Relative to the hierarchy's center.
 struct Quad {
   float row[kQuadRows];
 };
 
-// points: of a triangle or polygon with this plane.
+// points: of a triangle or polygon with this plane. room: the object's world box is so much larger
+// than its points' on every side; infinite where no hit is checked against it.
 Quad QuadAround(std::span<const Vector> points, const Vector& normal, double offset,
-                const double center[3]);
+                const double center[3], double room);
+
+// An object's box, rounded outwards.
+Quad BoxAsQuad(const float low[3], const float high[3]);
 
 // Writes the quadrilaterals of a leaf as rows.
 void WriteQuads(std::span<const Quad> quads, float* rows);

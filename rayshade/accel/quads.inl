@@ -11,7 +11,11 @@
 //   quadrilateral of diameter d with corners at most D away, and |q| <= Q (a sum of sizes),
 //   products of coordinates are off by less than 2e-6 D d Q; corners that are off by P move
 //   (a x b) . q by less than 8 P D d / w, since the hit is no farther than d from each of them.
-//   Corners off their plane count 10. w Q is at least the height, and the depth of the nearest corner. A comparison with something that is not a number leaves nothing out.
+//   Corners off their plane count 10. w Q is at least the height, and the depth of the nearest
+//   corner. A comparison with something that is not a number leaves nothing out.
+//   3. The same margins, doubled, tell what surely hits: a line that passes inside of the
+//   quadrilateral as it is here hits it, and so the true one is no farther off than that. Where this
+//   is the object itself, its own test counts any line that truly passes inside as a hit.
 
 constexpr float kOneRounding = 1.2e-7f;  // twice of what one rounding is
 
@@ -31,6 +35,7 @@ struct Viewpoint {
 struct SeenQuads {
   F8 edge[4][3];     // along u, v, w
   F8 least;          // of the edge functions of a line that may hit
+  F8 inside;         // larger edge functions are those of lines that surely pass through the object
   F8 plane[3];       // normal
   F8 height;         // of the plane over the viewpoint
   F8 height_margin;  // without the part that grows with depth
@@ -78,7 +83,10 @@ RAYSHADE_KERNEL SeenQuads SeeQuads(const TraceView& view, uint64_t branch, const
   const F8 off = SetF(8) * known + SetF(10) * row(16);
   const F8 margin = largest * row(17) * (SetF(2e-6f) * q + off / depth);
   // On which side the apex is must be known.
-  s.least = Choose(Less(s.height_margin, s.height), SetF(0) - margin, SetF(-__builtin_inff()));
+  const F8 endless = SetF(__builtin_inff());
+  const uint32_t above = Less(s.height_margin, s.height);
+  s.least = Choose(above, SetF(0) - margin, SetF(0) - endless);
+  s.inside = Choose(above, SetF(2) * margin + row(18), endless);
   return s;
 }
 
@@ -94,6 +102,12 @@ RAYSHADE_KERNEL F8 Furthest(const F8 normal[3], const Corner& c) {
 // What is left over of a plane's height at a depth.
 RAYSHADE_KERNEL F8 HeightReached(F8 cosine, F8 depth, F8 height_margin, float q_sum) {
   return depth * cosine + (height_margin + SetF(7e-7f * q_sum) * depth);
+}
+
+// The same, but surely reached by a ray that ends at this depth, loosened as UpdateMost does.
+constexpr float kSureCosine = 1e-4f;  // times the size of a direction: steeper than kEpsilon
+RAYSHADE_KERNEL F8 HeightSurelyReached(F8 cosine, F8 depth, F8 height_margin, float q_sum) {
+  return depth * cosine - (SetF(2) * height_margin + SetF(1e-5f * q_sum) * depth);
 }
 
 // Quadrilaterals that some direction within the corners may meet not beyond the depth.

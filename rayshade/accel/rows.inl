@@ -60,6 +60,7 @@ RAYSHADE_KERNEL void SetApex(const TraceView& view, const ShadowRows& rows, int 
                           {rows.position[1], rows.position[1]},
                           {rows.position[2], rows.position[2]}};
   b->pointed = rows.reach < kSureDistance;
+  b->sure = 4 * rows.reach < kSureDistance;
   if (b->pointed) SetViewpoint(view, apex, 1e-14 * rows.reach, b);
 }
 

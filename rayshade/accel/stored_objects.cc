@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "rayshade/common/check.h"
 #include "rayshade/geom/make_geom.h"
@@ -24,6 +25,15 @@ bool IsPlanar(const PolygonPlane& plane, std::span<const Vector> points) {
 double LargestCoordinate(const Bounds& b) {
   return std::max({std::abs(b.low.x), std::abs(b.low.y), std::abs(b.low.z), std::abs(b.high.x),
                    std::abs(b.high.y), std::abs(b.high.z)});
+}
+
+// A world box relative to the center, around all hits.
+void RoundOutwards(const Bounds& box, const double center[3], float low[3], float high[3]) {
+  const double margin = kRounding * LargestCoordinate(box);
+  for (int axis = 0; axis < 3; ++axis) {
+    low[axis] = RoundedDown(box.low[axis] - center[axis] - margin);
+    high[axis] = RoundedUp(box.high[axis] - center[axis] + margin);
+  }
 }
 
 // All ranks in ascending or in descending order, as scene files give them.
@@ -196,12 +206,8 @@ std::vector<BuildRef> StoredObjects::RefsOfBounded(const double center[3]) const
     if (items_[i].kind == kOtherLeaf && !others_[items_[i].index].bounded) continue;
     const Bounds box = WorldBox(sphere_count() + i);
     if (box.empty()) continue;
-    const double margin = kRounding * LargestCoordinate(box);
     BuildRef ref{};
-    for (int axis = 0; axis < 3; ++axis) {
-      ref.low[axis] = RoundedDown(box.low[axis] - center[axis] - margin);
-      ref.high[axis] = RoundedUp(box.high[axis] - center[axis] + margin);
-    }
+    RoundOutwards(box, center, ref.low, ref.high);
     ref.index = i;
     ref.kind = items_[i].kind;
     refs.push_back(ref);
@@ -295,12 +301,19 @@ Bounds StoredObjects::WorldBox(uint32_t object) const {
 
 Quad StoredObjects::QuadAround(uint32_t object, const double center[3]) const {
   const Item& at = item(object);
+  if (at.kind == kOtherLeaf) {
+    float low[3], high[3];
+    RoundOutwards(others_[at.index].box, center, low, high);
+    return BoxAsQuad(low, high);
+  }
+  const double endless = std::numeric_limits<double>::infinity();
   if (at.kind == kTriangleLeaf) {
     const TriangleShape& t = triangles_[at.index].shape;
-    return rayshade::QuadAround(t.point, t.normal, t.offset, center);
+    return rayshade::QuadAround(t.point, t.normal, t.offset, center, endless);
   }
   const FlatPolygon& p = polygons_[at.index];
-  return rayshade::QuadAround(PointsOf(p), p.plane.normal, p.plane.offset, center);
+  const double room = p.planar ? endless : growth_[key(object).placement];
+  return rayshade::QuadAround(PointsOf(p), p.plane.normal, p.plane.offset, center, room);
 }
 
 GeomSpec StoredObjects::SpecOf(uint32_t object) const {

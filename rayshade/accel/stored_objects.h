@@ -58,7 +58,7 @@ class StoredObjects {
   SphereSpec sphere(uint32_t object) const;  // from rows once leaves were made
 
   Bounds WorldBox(uint32_t object) const;
-  Quad QuadAround(uint32_t object, const double center[3]) const;  // of a triangle or polygon
+  Quad QuadAround(uint32_t object, const double center[3]) const;  // of one that is no sphere
   GeomSpec SpecOf(uint32_t object) const;  // of a flat one, or an other one with a spec
 
   const Scene& scene() const { return *scene_; }

@@ -1,5 +1,5 @@
-// Edge signs in 113-bit arithmetic; see edge_sign.h. Slow (software), but asked only for rays
-// within some 1e-14 of an edge.
+// Edge signs; see edge_sign.h. In double where its rounding cannot matter, else in 113-bit
+// arithmetic, which is slow (software).
 #include "rayshade/geom/edge_sign.h"
 
 namespace rayshade {
@@ -7,24 +7,44 @@ namespace {
 
 using Quad = __float128;
 
-Quad Size(Quad x) { return x < 0 ? -x : x; }
+// Products smaller than this may have lost digits to the end of double's range.
+constexpr double kSmallest = 1e-200;
+
+template <typename Real>
+Real Size(Real x) {
+  return x < 0 ? -x : x;
+}
+
+// D . ((a - O) x (b - O)), and the sum of the sizes of its terms.
+template <typename Real>
+struct EdgeSum {
+  Real sum = 0, size = 0;
+
+  EdgeSum(const Vector& origin, const Vector& direction, const Vector& a, const Vector& b) {
+    Real p[3], q[3];
+    for (int i = 0; i < 3; ++i) {
+      p[i] = Real(a[i]) - Real(origin[i]);
+      q[i] = Real(b[i]) - Real(origin[i]);
+    }
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      const Real left = p[j] * q[k], right = p[k] * q[j];
+      sum += Real(direction[i]) * (left - right);
+      size += Size(Real(direction[i])) * (Size(left) + Size(right));
+    }
+  }
+};
 
 }  // namespace
 
 int EdgeSign(const Vector& origin, const Vector& direction, const Vector& a, const Vector& b) {
-  Quad p[3], q[3], sum = 0, size = 0;
-  for (int i = 0; i < 3; ++i) {
-    p[i] = Quad(a[i]) - Quad(origin[i]);
-    q[i] = Quad(b[i]) - Quad(origin[i]);
-  }
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    const Quad left = p[j] * q[k], right = p[k] * q[j];
-    sum += Quad(direction[i]) * (left - right);
-    size += Size(Quad(direction[i])) * (Size(left) + Size(right));
-  }
-  const Quad noise = size * Quad(0x1.0p-104);
-  return sum > noise ? 1 : sum < -noise ? -1 : 0;
+  // Each term is off by less than 8 roundings of its size.
+  const EdgeSum<double> rough(origin, direction, a, b);
+  const double margin = rough.size * 0x1.0p-48;
+  if (margin > kSmallest && Size(rough.sum) > margin) return rough.sum > 0 ? 1 : -1;
+  const EdgeSum<Quad> fine(origin, direction, a, b);
+  const Quad noise = fine.size * Quad(0x1.0p-104);
+  return fine.sum > noise ? 1 : fine.sum < -noise ? -1 : 0;
 }
 
 }  // namespace rayshade
