@@ -64,26 +64,36 @@ RAYSHADE_KERNEL void SetApex(const TraceView& view, const ShadowRows& rows, int 
   if (b->pointed) SetViewpoint(view, apex, 1e-14 * rows.reach, b);
 }
 
-// Slopes of the groups along the axis; returns those whose rays all follow it.
-RAYSHADE_KERNEL uint32_t SlopesOfRows(uint32_t groups, int axis, double sign, Bundle* b) {
-  uint32_t good = 0;
+// Slopes of the rays of a group along the axis, those of `live`.
+RAYSHADE_KERNEL void SlopesOfGroup(int g, uint32_t live, F8 depth, Bundle* b) {
+  const F8 turned = SetF(-1) / depth;
+  const F8 u = Rounded(LoadD(b->d[b->u][g])) * turned, v = Rounded(LoadD(b->d[b->v][g])) * turned;
+  Store(u, b->ray_u[g]);
+  Store(v, b->ray_v[g]);
+  const F8 most = SetF(1e30f), least = SetF(-1e30f);
+  b->u_low[g] = Least(Choose(live, u, most)) - 3 * kSlopeSlack;
+  b->u_high[g] = Largest(Choose(live, u, least)) + 3 * kSlopeSlack;
+  b->v_low[g] = Least(Choose(live, v, most)) - 3 * kSlopeSlack;
+  b->v_high[g] = Largest(Choose(live, v, least)) + 3 * kSlopeSlack;
+}
+
+// The groups of which all rays that are left follow the axis, and the first with those of its rays
+// that do: they become the bundle's live rays, and are left no longer. Returns bits of the groups.
+RAYSHADE_KERNEL uint32_t TakeGroups(uint32_t groups, int axis, double sign, uint32_t* left,
+                                    Bundle* b) {
+  const int first = __builtin_ctz(groups);
+  uint32_t taken = 0;
   for (uint32_t m = groups; m != 0; m &= m - 1) {
     const int g = __builtin_ctz(m);
-    const uint32_t live = b->live[g];
     const F8 depth = Rounded(LoadD(b->d[axis][g])) * SetF(static_cast<float>(sign));
-    if ((LessEqual(SetF(static_cast<float>(kLeastCosine)), depth) & live) != live) continue;
-    good |= 1u << g;
-    const F8 turned = SetF(-1) / depth;
-    const F8 u = Rounded(LoadD(b->d[b->u][g])) * turned, v = Rounded(LoadD(b->d[b->v][g])) * turned;
-    Store(u, b->ray_u[g]);
-    Store(v, b->ray_v[g]);
-    const F8 most = SetF(1e30f), least = SetF(-1e30f);
-    b->u_low[g] = Least(Choose(live, u, most)) - 3 * kSlopeSlack;
-    b->u_high[g] = Largest(Choose(live, u, least)) + 3 * kSlopeSlack;
-    b->v_low[g] = Least(Choose(live, v, most)) - 3 * kSlopeSlack;
-    b->v_high[g] = Largest(Choose(live, v, least)) + 3 * kSlopeSlack;
+    const uint32_t follow = LessEqual(SetF(static_cast<float>(kLeastCosine)), depth) & left[g];
+    if (follow == 0 || (follow != left[g] && g != first)) continue;
+    b->live[g] = follow;
+    left[g] &= ~follow;
+    taken |= 1u << g;
+    SlopesOfGroup(g, follow, depth, b);
   }
-  return good;
+  return taken;
 }
 
 // The groups from the first of `groups` on that make one narrow pyramid, which becomes the whole.
@@ -119,48 +129,67 @@ RAYSHADE_ROUTINE void BlockLive(const TraceView& view, const Bundle& b, uint32_t
   }
 }
 
+// Puts the pyramid around these groups, which make up the whole.
+RAYSHADE_KERNEL void SurroundRun(const TraceView& view, const ShadowRows& rows, uint32_t run,
+                                 double sign, Bundle* b) {
+  for (int k = 0; k < kGroups; ++k) b->most[k] = -1;
+  for (uint32_t m = run; m != 0; m &= m - 1) UpdateMost(b, __builtin_ctz(m));
+  UpdateWholeMost(b);
+  SetApex(view, rows, b->axis, -sign, b);
+}
+
+// Groups whose rays follow the bundle's axis; sign: of their directions along it.
+RAYSHADE_KERNEL void BlockRuns(const TraceView& view, const ShadowRows& rows, uint32_t groups,
+                               double sign, const Fate& fate, Bundle* b, Counters* counters) {
+  while (groups != 0) {
+    uint32_t run = NarrowRun(groups, b);
+    groups &= ~run;
+    if ((run & (run - 1)) != 0) {
+      SurroundRun(view, rows, run, sign, b);
+      if (BlockBundle(view, b, run, fate, counters)) continue;
+    }
+    for (; run != 0; run &= run - 1) {
+      const uint32_t one = NarrowRun(run & -run, b);
+      SurroundRun(view, rows, one, sign, b);
+      BlockGroup(view, b, __builtin_ctz(run), fate, counters);
+    }
+  }
+}
+
 RAYSHADE_ROUTINE void BlockRowsOfBundle(const TraceView& view, const ShadowRows& rows,
                                         uint32_t first, uint32_t count, Counters* counters) {
   Bundle b;
   LoadRows(rows, first, count, &b);
   const Fate fate = FateFrom({rows.blocked, rows.crossed}, first);
-  uint32_t left = 0;
-  for (int g = 0; g < b.groups; ++g) left |= static_cast<uint32_t>(b.live[g] != 0) << g;
+  uint32_t groups = 0;
+  for (int g = 0; g < b.groups; ++g) groups |= static_cast<uint32_t>(b.live[g] != 0) << g;
   if (view.unbounded_count > 0 || view.node_count == 0) {
-    BlockLive(view, b, left, fate, counters);
+    BlockLive(view, b, groups, fate, counters);
     return;
   }
-  while (left != 0) {
+  uint32_t left[kGroups];
+  for (int g = 0; g < b.groups; ++g) left[g] = b.live[g];
+  b.from_end = true;
+  while (groups != 0) {
     // Along the axis that the first ray follows.
-    const int g = __builtin_ctz(left), lane = __builtin_ctz(b.live[g]);
+    const int g = __builtin_ctz(groups), lane = __builtin_ctz(left[g]);
     const double d[3] = {b.d[0][g][lane], b.d[1][g][lane], b.d[2][g][lane]};
-    const int axis = LargestAxis(d);
-    const double sign = d[axis] < 0 ? -1 : 1;
-    b.u = axis == 0 ? 1 : 0;
-    b.v = axis == 2 ? 1 : 2;
-    b.axis = axis;
-    b.from_end = true;
-    for (int k = 0; k < kGroups; ++k) b.most[k] = -1;
-    uint32_t good = SlopesOfRows(left, axis, sign, &b);
-    if ((good >> g & 1) == 0) {
+    b.axis = LargestAxis(d);
+    b.u = b.axis == 0 ? 1 : 0;
+    b.v = b.axis == 2 ? 1 : 2;
+    const double sign = d[b.axis] < 0 ? -1 : 1;
+    const uint32_t taken = TakeGroups(groups, b.axis, sign, left, &b);
+    if ((taken >> g & 1) != 0) {
+      BlockRuns(view, rows, taken, sign, fate, &b, counters);
+    } else {
+      // Not a direction.
+      b.live[g] = 1u << lane;
+      left[g] &= ~b.live[g];
       BlockLive(view, b, 1u << g, fate, counters);
-      left &= ~(1u << g);
-      continue;
     }
-    left &= ~good;
-    while (good != 0) {
-      const uint32_t run = NarrowRun(good, &b);
-      good &= ~run;
-      const Slopes<float>& w = b.whole;
-      if (w.u_high - w.u_low > kWidestLoneGroup || w.v_high - w.v_low > kWidestLoneGroup) {
-        BlockLive(view, b, run, fate, counters);
-        continue;
-      }
-      for (int k = 0; k < kGroups; ++k) b.most[k] = -1;
-      for (uint32_t m = run; m != 0; m &= m - 1) UpdateMost(&b, __builtin_ctz(m));
-      UpdateWholeMost(&b);
-      SetApex(view, rows, axis, -sign, &b);
-      if (!BlockBundle(view, &b, run, fate, counters)) BlockLive(view, b, run, fate, counters);
+    for (uint32_t m = groups; m != 0; m &= m - 1) {
+      const int k = __builtin_ctz(m);
+      if (left[k] == 0) groups &= ~(1u << k);
     }
   }
 }

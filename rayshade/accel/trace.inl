@@ -9,6 +9,7 @@
 #include "rayshade/accel/filter.inl"
 #include "rayshade/accel/flat_kinds.inl"
 #include "rayshade/accel/bundles.inl"
+#include "rayshade/accel/group.inl"
 #include "rayshade/accel/rows.inl"
 // clang-format on
 

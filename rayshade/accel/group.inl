@@ -1,0 +1,42 @@
+// One group of shadow rays whose pyramid is too wide: each ray has its own slopes, and a stack entry
+// knows which rays met it; part of trace.inl.
+
+struct GroupEntry {
+  uint64_t branch;
+  uint32_t rays;  // bits
+};
+
+// One child of a node against the rays of a group: bits of the rays.
+RAYSHADE_KERNEL uint32_t RaysAtChild(const Bundle& b, const Slopes<F8>& rays, const Node& node,
+                                     uint32_t i) {
+  F8 depth;
+  return MeetPyramids(b, rays, SetF(node.plane[b.near_plane][i]), SetF(node.plane[b.far_plane][i]),
+                      SetF(node.plane[b.u][i]), SetF(node.plane[3 + b.u][i]),
+                      SetF(node.plane[b.v][i]), SetF(node.plane[3 + b.v][i]), &depth);
+}
+
+RAYSHADE_ROUTINE void BlockGroup(const TraceView& view, Bundle* b, int g, const Fate& fate,
+                                 Counters* counters) {
+  GroupEntry stack[kStackSize];
+  GroupEntry* top = stack;
+  *top++ = {MakeBranch(kInnerNode, 0, 0), b->live[g]};
+  const Slopes<F8> rays = RaysAsPyramids(*b, g);
+  while (top != stack) {
+    const GroupEntry e = *--top;
+    const uint32_t live = e.rays & b->live[g];
+    if (live == 0) continue;
+    if (KindOf(e.branch) != kInnerNode) {
+      CountTests(view, e.branch, static_cast<uint32_t>(__builtin_popcount(live)), counters);
+      BlockInLeafOfBundle(view, b, {e.branch, 0, 1u << g}, fate, counters);
+      continue;
+    }
+    ++counters->nodes;
+    const Node& node = view.nodes[ChildOf(e.branch)];
+    F8 depths;
+    for (uint32_t m = ChildrenInPyramid(*b, node, g, &depths); m != 0; m &= m - 1) {
+      const auto i = static_cast<uint32_t>(__builtin_ctz(m));
+      const uint32_t met = RaysAtChild(*b, rays, node, i) & live;
+      if (met != 0) *top++ = {node.branch[i], met};
+    }
+  }
+}
