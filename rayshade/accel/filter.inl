@@ -72,15 +72,7 @@ RAYSHADE_KERNEL void SeeLeaf(const TraceView& view, const Bundle& b, uint64_t br
   }
   const SeenQuads s = SeeQuads(view, branch, b.viewpoint);
   leaf->bits &= QuadsInPyramid(s, b.viewpoint, corner, w.most);
-  if (leaf->bits == 0) return;
-  for (int i = 0; i < 4; ++i) {
-    for (int k = 0; k < 3; ++k) Store(s.edge[i][k], leaf->part[3 * i + k]);
-  }
-  for (int k = 0; k < 3; ++k) Store(s.plane[k], leaf->part[12 + k]);
-  Store(s.least, leaf->part[15]);
-  Store(s.height, leaf->part[16]);
-  Store(s.height_margin, leaf->part[17]);
-  Store(s.inside, leaf->part[18]);
+  if (leaf->bits != 0) StoreQuads(s, leaf->part);
 }
 
 // The rays of a group that may meet an object: bits. *surely, where it is not null: those that its
@@ -97,16 +89,5 @@ RAYSHADE_KERNEL uint32_t RaysThatMayMeet(const Bundle& b, int g, const SeenLeaf&
     const F8 du = u - part(0), dv = v - part(1);
     return ~(Less(part(3), du * du + dv * dv) | Less(depth, part(4))) & b.live[g];
   }
-  const F8 least = part(15);
-  const auto at = [&](int k) { return part(k) * u + part(k + 1) * v + part(k + 2); };
-  const F8 edges = Min(Min(at(0), at(3)), Min(at(6), at(9)));
-  const F8 height = part(16), height_margin = part(17), cosine = at(12);
-  const F8 reached = HeightReached(cosine, depth, height_margin, b.viewpoint.q_sum);
-  const uint32_t may = ~(Less(edges, least) | Less(reached, height)) & b.live[g];
-  if (surely != nullptr && may != 0 && b.sure) {
-    const F8 short_of = HeightSurelyReached(cosine, depth, height_margin, b.viewpoint.q_sum);
-    *surely = may & Less(part(18), edges) & Less(height, short_of) &
-              Less(SetF(kSureCosine * b.viewpoint.q_sum), cosine);
-  }
-  return may;
+  return RaysAtQuad(b, g, leaf.part, i, b.live[g], surely);
 }

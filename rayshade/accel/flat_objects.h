@@ -20,7 +20,8 @@ struct FlatPolygon {
   PolygonPlane plane;
   uint32_t first_point, point_count;
   bool flip;
-  bool planar;  // but for rounding: its hits lie in its box
+  bool planar;                              // but for rounding: its hits lie in its box
+  uint32_t first_part = 0, part_count = 0;  // in FlatObjects::parts
 };
 
 // Where an object that is not a sphere is held.
@@ -37,6 +38,7 @@ struct FlatObjects {
   const FlatPolygon* polygons;
   const Vector* points;
   const float* quads;  // around all items (quads.h), by leaves
+  const float* parts;  // of polygons (polygon_parts.h), as quads, by eights of a polygon
 };
 
 }  // namespace rayshade

@@ -49,6 +49,7 @@ struct ObjectSet::Impl {
   std::vector<uint32_t> unbounded;
   std::vector<uint8_t> opaque;  // by placement
   std::vector<float> quads;     // around all but spheres (quads.h)
+  std::vector<float> parts;     // of polygons (polygon_parts.h)
   Bounds bounds;
   OtherObjects others{&objects};
   FlatObjects flat;
@@ -122,6 +123,8 @@ void ObjectSet::Impl::MakeQuads() {
     }
   }
   flat.quads = quads.data();
+  objects.CutPolygons(view.center, &parts);
+  flat.parts = parts.data();
 }
 
 void ObjectSet::Impl::FindOpaque() {

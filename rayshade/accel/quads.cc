@@ -59,11 +59,15 @@ void RectangleAround(std::span<const Vector> points, const Vector& normal, Vecto
 
 }  // namespace
 
+bool QuadIsObject(std::span<const Vector> points, const Vector& normal) {
+  return points.size() == 3 || IsConvexQuad(points, normal);
+}
+
 Quad QuadAround(std::span<const Vector> points, const Vector& normal, double offset,
                 const double center[3], double room) {
   Vector corner[4];
   const bool triangle = points.size() == 3;
-  const bool own = triangle || IsConvexQuad(points, normal);
+  const bool own = QuadIsObject(points, normal);
   if (own) {
     std::copy(points.begin(), points.end(), corner);
     if (triangle) corner[3] = 0.5 * (corner[2] + corner[0]);

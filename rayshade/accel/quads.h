@@ -32,6 +32,9 @@ struct Quad {
 Quad QuadAround(std::span<const Vector> points, const Vector& normal, double offset,
                 const double center[3], double room);
 
+// Whether its quadrilateral is the object itself, however far its points are off the plane.
+bool QuadIsObject(std::span<const Vector> points, const Vector& normal);
+
 // An object's box, rounded outwards.
 Quad BoxAsQuad(const float low[3], const float high[3]);
 

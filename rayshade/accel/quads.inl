@@ -43,10 +43,7 @@ struct SeenQuads {
 
 RAYSHADE_KERNEL F8 LargestSize(F8 x, F8 y, F8 z) { return Max(Max(Size(x), Size(y)), Size(z)); }
 
-RAYSHADE_KERNEL SeenQuads SeeQuads(const TraceView& view, uint64_t branch, const Viewpoint& p) {
-  const uint32_t count = CountOf(branch);
-  const float* rows =
-      view.flat->quads + static_cast<size_t>(kQuadRows) * (ChildOf(branch) - view.sphere_count);
+RAYSHADE_KERNEL SeenQuads SeeQuads(const float* rows, uint32_t count, const Viewpoint& p) {
   const auto row = [&](int i) { return LoadF(rows + static_cast<uint32_t>(i) * count); };
   SeenQuads s;
   // The plane.
@@ -88,6 +85,11 @@ RAYSHADE_KERNEL SeenQuads SeeQuads(const TraceView& view, uint64_t branch, const
   s.least = Choose(above, SetF(0) - margin, SetF(0) - endless);
   s.inside = Choose(above, SetF(2) * margin + row(18), endless);
   return s;
+}
+
+RAYSHADE_KERNEL SeenQuads SeeQuads(const TraceView& view, uint64_t branch, const Viewpoint& p) {
+  const size_t first = ChildOf(branch) - view.sphere_count;
+  return SeeQuads(view.flat->quads + kQuadRows * first, CountOf(branch), p);
 }
 
 // A direction, or the furthest of several in one function's sense.

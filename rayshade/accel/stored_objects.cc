@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "rayshade/accel/polygon_parts.h"
 #include "rayshade/common/check.h"
 #include "rayshade/geom/make_geom.h"
 
@@ -306,14 +307,44 @@ Quad StoredObjects::QuadAround(uint32_t object, const double center[3]) const {
     RoundOutwards(others_[at.index].box, center, low, high);
     return BoxAsQuad(low, high);
   }
-  const double endless = std::numeric_limits<double>::infinity();
   if (at.kind == kTriangleLeaf) {
     const TriangleShape& t = triangles_[at.index].shape;
-    return rayshade::QuadAround(t.point, t.normal, t.offset, center, endless);
+    return rayshade::QuadAround(t.point, t.normal, t.offset, center,
+                                std::numeric_limits<double>::infinity());
   }
   const FlatPolygon& p = polygons_[at.index];
-  const double room = p.planar ? endless : growth_[key(object).placement];
-  return rayshade::QuadAround(PointsOf(p), p.plane.normal, p.plane.offset, center, room);
+  return rayshade::QuadAround(PointsOf(p), p.plane.normal, p.plane.offset, center,
+                              RoomOf(object));
+}
+
+// How much larger a polygon's box is than its points'; infinite where the box does not matter.
+double StoredObjects::RoomOf(uint32_t object) const {
+  if (polygons_[item(object).index].planar) return std::numeric_limits<double>::infinity();
+  return growth_[key(object).placement];
+}
+
+void StoredObjects::CutPolygons(const double center[3], std::vector<float>* parts) {
+  for (uint32_t i = 0; i < items_.size(); ++i) {
+    if (items_[i].kind != kPolygonLeaf) continue;
+    FlatPolygon& p = polygons_[items_[i].index];
+    const std::span<const Vector> points = PointsOf(p);
+    if (QuadIsObject(points, p.plane.normal)) continue;
+    std::vector<Quad> quads;
+    for (const PolygonPart& part : CutIntoParts(points, p.plane.normal)) {
+      Vector corner[4];
+      for (uint32_t k = 0; k < part.count; ++k) corner[k] = points[part.corner[k]];
+      quads.push_back(rayshade::QuadAround({corner, part.count}, p.plane.normal, p.plane.offset,
+                                           center, RoomOf(sphere_count() + i)));
+    }
+    p.first_part = static_cast<uint32_t>(parts->size() / kQuadRows);
+    p.part_count = static_cast<uint32_t>(quads.size());
+    parts->resize(parts->size() + kQuadRows * quads.size());
+    for (size_t k = 0; k < quads.size(); k += kLeafSize) {
+      const size_t count = std::min<size_t>(kLeafSize, quads.size() - k);
+      WriteQuads({quads.data() + k, count}, parts->data() + kQuadRows * (p.first_part + k));
+    }
+  }
+  parts->resize(parts->size() + kLeafSize);  // kernels load eight numbers from the last row
 }
 
 GeomSpec StoredObjects::SpecOf(uint32_t object) const {
@@ -333,7 +364,7 @@ GeomSpec StoredObjects::SpecOf(uint32_t object) const {
 }
 
 FlatObjects StoredObjects::flat() const {
-  return {items_.data(), triangles_.data(), polygons_.data(), points_.data(), nullptr};
+  return {items_.data(), triangles_.data(), polygons_.data(), points_.data(), nullptr, nullptr};
 }
 
 size_t StoredObjects::bytes() const {

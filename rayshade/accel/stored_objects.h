@@ -59,6 +59,8 @@ class StoredObjects {
 
   Bounds WorldBox(uint32_t object) const;
   Quad QuadAround(uint32_t object, const double center[3]) const;  // of one that is no sphere
+  // The parts of all polygons, as FlatObjects has them.
+  void CutPolygons(const double center[3], std::vector<float>* parts);
   GeomSpec SpecOf(uint32_t object) const;  // of a flat one, or an other one with a spec
 
   const Scene& scene() const { return *scene_; }
@@ -74,6 +76,7 @@ class StoredObjects {
   void SettleSpheres();
   void SettleItems();
   void RemoveDuplicates();
+  double RoomOf(uint32_t object) const;
   bool StaysFlat(PlacementId placement) const { return scene_->placement(placement).in_place; }
 
   const Scene* scene_;

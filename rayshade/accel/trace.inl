@@ -6,6 +6,7 @@
 #include "rayshade/accel/single_rays.inl"
 #include "rayshade/accel/pyramid.inl"
 #include "rayshade/accel/boxes.inl"
+#include "rayshade/accel/seen_quads.inl"
 #include "rayshade/accel/filter.inl"
 #include "rayshade/accel/flat_kinds.inl"
 #include "rayshade/accel/bundles.inl"
