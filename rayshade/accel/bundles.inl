@@ -74,11 +74,12 @@ RAYSHADE_ROUTINE void NearestInLeafOfBundle(const TraceView& view, Bundle* b, co
   for (uint32_t left = leaf.bits; left != 0; left &= left - 1) {
     const uint32_t i = static_cast<uint32_t>(__builtin_ctz(left));
     const LeafObject o = ObjectOfLeaf(view, e.branch, i);
-    if (o.kind == kPolygonLeaf) SeeParts(view, *b, *o.polygon, &parts);
     for (uint32_t m = e.groups; m != 0; m &= m - 1) {
       const int g = __builtin_ctz(m);
       uint32_t may = RaysThatMayMeet(*b, g, leaf, o.kind, i);
-      if (may != 0 && parts.eights != 0) may = RaysAtParts(*b, g, parts, may, nullptr);
+      if (may != 0 && IsInParts(o)) {
+        may = RaysAtParts(view, *b, g, *o.polygon, may, &parts, nullptr);
+      }
       if (may == 0) continue;
       const Met met = MeetObject(*b, g, o);
       if (met.hit != 0 && TakeNearest(view, b, g, met, o, hits)) changed |= 1u << g;
@@ -175,12 +176,13 @@ RAYSHADE_ROUTINE void BlockInLeafOfBundle(const TraceView& view, Bundle* b, cons
     const LeafObject o = ObjectOfLeaf(view, e.branch, i);
     const bool opaque = o.kind == kOtherLeaf || IsOpaque(view, o.object);
     if (!opaque && fate.crossed == nullptr) continue;
-    if (o.kind == kPolygonLeaf) SeeParts(view, *b, *o.polygon, &parts);
     for (uint32_t m = e.groups; m != 0; m &= m - 1) {
       const int g = __builtin_ctz(m);
       uint32_t surely;
       uint32_t may = RaysThatMayMeet(*b, g, leaf, o.kind, i, &surely);
-      if (may != 0 && parts.eights != 0) may = RaysAtParts(*b, g, parts, may, &surely);
+      if (may != 0 && IsInParts(o)) {
+        may = RaysAtParts(view, *b, g, *o.polygon, may, &parts, &surely);
+      }
       if (may == 0) continue;
       if (opaque && surely != 0) {
         b->live[g] &= ~surely;

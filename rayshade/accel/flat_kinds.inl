@@ -147,6 +147,10 @@ RAYSHADE_KERNEL LeafObject ObjectOfLeaf(const TraceView& view, uint64_t branch, 
   return o;
 }
 
+RAYSHADE_KERNEL bool IsInParts(const LeafObject& o) {
+  return o.kind == kPolygonLeaf && o.polygon->part_count != 0;
+}
+
 RAYSHADE_KERNEL Met MeetObject(const Bundle& b, int g, const LeafObject& o) {
   if (o.kind == kSphereLeaf) return MeetSphere(b, g, o.x, o.y, o.z, o.radius);
   if (o.kind == kTriangleLeaf) return MeetTriangle(b, g, *o.triangle);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "rayshade/accel/quads.h"
+
 namespace rayshade {
 namespace {
 

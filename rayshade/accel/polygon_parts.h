@@ -18,8 +18,6 @@
 
 namespace rayshade {
 
-inline constexpr uint32_t kPartsMost = 32;  // of one polygon
-
 // Three or four corners, around the normal or against it, as the polygon's points.
 struct PolygonPart {
   std::array<uint32_t, 4> corner;

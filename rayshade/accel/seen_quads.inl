@@ -36,13 +36,15 @@ RAYSHADE_KERNEL uint32_t RaysAtQuad(const Bundle& b, int g, const float (*part)[
 // The parts of a polygon.
 constexpr uint32_t kPartEights = kPartsMost / 8;
 struct SeenParts {
-  uint32_t eights = 0;  // 0: there are none
+  const FlatPolygon* polygon = nullptr;  // whose
+  uint32_t eights;                       // 0: there are none
   uint32_t bits[kPartEights];
   alignas(32) float part[kPartEights][kSeenRows][8];
 };
 
 RAYSHADE_KERNEL void SeeParts(const TraceView& view, const Bundle& b, const FlatPolygon& polygon,
                               SeenParts* seen) {
+  seen->polygon = &polygon;
   seen->eights = 0;
   if (!b.pointed) return;
   const Slopes<float>& w = b.whole;
@@ -58,15 +60,18 @@ RAYSHADE_KERNEL void SeeParts(const TraceView& view, const Bundle& b, const Flat
   }
 }
 
-// As RaysAtQuad, for the polygon.
-RAYSHADE_KERNEL uint32_t RaysAtParts(const Bundle& b, int g, const SeenParts& seen, uint32_t asked,
+// As RaysAtQuad, for the polygon; its parts are looked at when they are first needed.
+RAYSHADE_KERNEL uint32_t RaysAtParts(const TraceView& view, const Bundle& b, int g,
+                                     const FlatPolygon& polygon, uint32_t asked, SeenParts* seen,
                                      uint32_t* surely) {
+  if (seen->polygon != &polygon) SeeParts(view, b, polygon, seen);
+  if (seen->eights == 0) return asked;
   uint32_t may = 0, sure = 0;
-  for (uint32_t k = 0; k < seen.eights; ++k) {
-    for (uint32_t m = seen.bits[k]; m != 0 && sure != asked; m &= m - 1) {
+  for (uint32_t k = 0; k < seen->eights; ++k) {
+    for (uint32_t m = seen->bits[k]; m != 0 && sure != asked; m &= m - 1) {
       const auto i = static_cast<uint32_t>(__builtin_ctz(m));
       uint32_t in = 0;
-      may |= RaysAtQuad(b, g, seen.part[k], i, asked & ~sure, &in);
+      may |= RaysAtQuad(b, g, seen->part[k], i, asked & ~sure, &in);
       sure |= in;
     }
   }

@@ -4,7 +4,6 @@
 
 #include "rayshade/accel/flat_objects.h"
 #include "rayshade/accel/object_set.h"
-#include "rayshade/accel/polygon_parts.h"
 #include "rayshade/accel/trace_view.h"
 #include "rayshade/common/op_counts.h"
 #include "rayshade/common/ray.h"
