@@ -90,6 +90,9 @@ class ObjectSet {
   void Block(const ShadowRows& rows, OpCounts* counts) const;
   // Where a position stands as seen from points, with this set's kernels.
   void Aim(const AimRows& rows) const;
+  // Before and after the shadow rays of a light.
+  void Sort(const SortRows& rows) const;
+  void AddDiffuse(const DiffuseRows& rows) const;
 
   // The hit described in the space of its primitive; hit.set == this.
   void Describe(const Ray& ray, const Hit& hit, HitPath* path) const;

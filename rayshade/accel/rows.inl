@@ -34,11 +34,8 @@ RAYSHADE_KERNEL void LoadRows(const ShadowRows& rows, uint32_t first, uint32_t c
     b->d[axis] = reinterpret_cast<const double(*)[8]>(rows.direction[axis] + first);
   }
   for (int g = 0; g < b->groups; ++g) {
-    uint32_t live = 0;
-    for (uint32_t lane = 0; lane < 8; ++lane) {
-      const uint32_t i = 8 * static_cast<uint32_t>(g) + lane;
-      live |= static_cast<uint32_t>(i < count && rows.blocked[first + i] == 0) << lane;
-    }
+    const uint32_t begin = 8 * static_cast<uint32_t>(g), size = count - begin;
+    const uint32_t live = ~BitsAt(rows.blocked + first + begin, size) & (size < 8 ? (1u << size) - 1 : 0xff);
     b->live[g] = live;
     const D8 limit = LoadD(rows.limits + first + 8 * g);
     Store(limit, b->strict[g]);

@@ -11,6 +11,7 @@
 #include "rayshade/accel/flat_kinds.inl"
 #include "rayshade/accel/bundles.inl"
 #include "rayshade/accel/group.inl"
+#include "rayshade/accel/light_rows.inl"
 #include "rayshade/accel/rows.inl"
 // clang-format on
 

@@ -124,6 +124,27 @@ struct ShadowRows {
   uint32_t count;
 };
 
+// Which hits a light concerns, in rows as in AimRows; all bytes become 0 or 1, eight at a time.
+struct SortRows {
+  const double* toward[3];
+  const double* cosine;  // with the shading normal
+  const double* face[3];
+  const double* slack;
+  uint32_t count;
+  uint8_t* by_row;  // slack is no reason to begin its shadow ray farther away than kShadowEpsilon
+  uint8_t* dark;    // not so, or not before the light
+};
+
+// sum += cosine * diffuse * arrived, in this order, where dark is 0.
+struct DiffuseRows {
+  const uint8_t* dark;
+  const double* cosine;
+  const double* diffuse[3];
+  double arrived[3];
+  double* sum[3];
+  uint32_t count;
+};
+
 // One instruction set's kernels; blocked and crossed as in ObjectSet::Block, crossed may be null.
 // All give the same bits.
 struct Kernels {
@@ -134,6 +155,8 @@ struct Kernels {
                 uint8_t* crossed, uint32_t count, OpCounts* counts);
   void (*block_rows)(const TraceView& view, const ShadowRows& rows, OpCounts* counts);
   void (*aim)(const AimRows& rows);
+  void (*sort)(const SortRows& rows);
+  void (*add_diffuse)(const DiffuseRows& rows);
 };
 
 extern const Kernels kPlainKernels;

@@ -125,15 +125,22 @@ void SpawnShadows(const Scene& scene, const Ray& ray, const SurfaceHit& hit,
   }
 }
 
+bool HasHighlight(const Surface& surface) {
+  return surface.specpow >= kEpsilon && surface.specular != kBlack;
+}
+
+Color Highlight(const SurfaceHit& hit, const LightSample& sample, const Color& arrived) {
+  const Surface& surface = hit.surface();
+  const double a = Dot(hit.mirror, sample.toward);
+  return a > 0 ? std::pow(a, surface.specpow) * surface.specular * arrived : kBlack;
+}
+
 void AddLight(const SurfaceHit& hit, const LightSample& sample, const Color& arrived, Color* sum) {
   const Surface& surface = hit.surface();
   const double c = sample.cosine;
   if (c > 0) {
     *sum += c * surface.diffuse * arrived;
-    if (surface.specpow >= kEpsilon && surface.specular != kBlack) {
-      const double a = Dot(hit.mirror, sample.toward);
-      if (a > 0) *sum += std::pow(a, surface.specpow) * surface.specular * arrived;
-    }
+    if (HasHighlight(surface)) *sum += Highlight(hit, sample, arrived);
     return;
   }
   *sum += -c * surface.translucent * arrived;
@@ -142,16 +149,6 @@ void AddLight(const SurfaceHit& hit, const LightSample& sample, const Color& arr
     if (a > 0) *sum += std::pow(a, surface.translucent_pow) * surface.body * arrived;
   }
   *sum = surface.translucency * *sum;
-}
-
-Color ShadeLights(const Scene& scene, const Ray&, const SurfaceHit& hit,
-                  std::span<const ShadowRay> shadows, std::span<const uint8_t> arrived) {
-  CHECK(shadows.size() == arrived.size());
-  Color sum = ShadeAmbient(scene, hit);
-  for (size_t i = 0; i < shadows.size(); ++i) {
-    if (arrived[i]) AddLight(hit, shadows[i], shadows[i].color, &sum);
-  }
-  return sum;
 }
 
 }  // namespace rayshade

@@ -4,7 +4,7 @@
 //
 //   ResolveHit      hit → point, normals, textured surface
 //   SpawnShadows    which shadow rays the hit wants, one for each light at most
-//   ShadeLights     folds the lights in visiting order, once all shadow results are there
+//   AddLight        folds the lights in visiting order, once all shadow results are there
 //   SpawnSecondary  at most one transmitted and one reflected ray; total reflection, depth limit
 //                   and cutoff are decided here, before anything is traced
 //   Shade           folds the secondary results (transmitted, then reflected) and the atmosphere
@@ -91,14 +91,12 @@ void SpawnShadows(const Scene& scene, const Ray& ray, const SurfaceHit& hit,
 inline Color ShadeAmbient(const Scene& scene, const SurfaceHit& hit) {
   return hit.surface().ambient * scene.settings().ambient_light;
 }
+bool HasHighlight(const Surface& surface);
+// The highlight of a light before a surface that has them.
+Color Highlight(const SurfaceHit& hit, const LightSample& sample, const Color& arrived);
 // Adds to *sum a light of which `arrived` arrives. Lights that are blocked are left out altogether:
 // they do not even scale by translucency.
 void AddLight(const SurfaceHit& hit, const LightSample& sample, const Color& arrived, Color* sum);
-// Ambient light and all lights. shadows: as SpawnShadows gave them for this hit, with color
-// replaced by what really arrives, and arrived[i] 0 where the light is blocked.
-Color ShadeLights(const Scene& scene, const Ray& ray, const SurfaceHit& hit,
-                  std::span<const ShadowRay> shadows, std::span<const uint8_t> arrived);
-
 // The secondary rays of a hit, and how their results are weighted.
 struct SecondaryRay {
   bool wanted = false;
@@ -133,7 +131,7 @@ inline Color ThroughAir(const Scene& scene, const Ray& ray, bool in_air, double 
   return air.Apply(ray.origin, ray.direction, distance, color);
 }
 
-// The last step. lights: what ShadeLights gave.
+// The last step. lights: ambient light and what AddLight added.
 inline RayResult Shade(const Scene& scene, const Ray& ray, bool in_air, double distance,
                        const Color& lights, const Secondary& secondary,
                        const RayResult& transmitted, const RayResult& reflected) {

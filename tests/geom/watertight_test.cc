@@ -144,5 +144,38 @@ TEST(EdgeSign, IsOppositeFromTheOtherSide) {
   EXPECT_EQ(1, EdgeSign({0, 0, -1}, {0, 0, 1}, {1, 0, 0}, {1, 1e-300, 0}));
 }
 
+// The sign in 113 bits, whatever double would say.
+int EdgeSignInFull(const Vector& o, const Vector& d, const Vector& a, const Vector& b) {
+  using Real = __float128;
+  Real sum = 0, size = 0;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const Real left = (Real(a[j]) - Real(o[j])) * (Real(b[k]) - Real(o[k]));
+    const Real right = (Real(a[k]) - Real(o[k])) * (Real(b[j]) - Real(o[j]));
+    sum += Real(d[i]) * (left - right);
+    const Real left_size = left < 0 ? -left : left, right_size = right < 0 ? -right : right;
+    size += Real(std::abs(d[i])) * (left_size + right_size);
+  }
+  const Real noise = size * Real(0x1.0p-104);
+  return sum > noise ? 1 : sum < -noise ? -1 : 0;
+}
+
+TEST(EdgeSign, IsThatOfTheFullSumHoweverNearTheRayPasses) {
+  Random random(6);
+  size_t signs[3] = {0, 0, 0};
+  for (int i = 0; i < 20000; ++i) {
+    const double scale = std::pow(10.0, i % 9 - 4);
+    const Vector a = RandomPoint(&random, scale), b = RandomPoint(&random, scale),
+                 aside = RandomPoint(&random, scale), o = RandomPoint(&random, 10 * scale);
+    const double near = i % 4 == 0 ? 0 : std::pow(2.0, -(i % 70));
+    const Vector d = Normalized(a + 0.3 * (b - a) + near * aside - o);
+    const int sign = EdgeSign(o, d, a, b);
+    ASSERT_EQ(sign, EdgeSignInFull(o, d, a, b)) << i;
+    ++signs[sign + 1];
+  }
+  EXPECT_GT(signs[0], 1000u);
+  EXPECT_GT(signs[2], 1000u);
+}
+
 }  // namespace
 }  // namespace rayshade
