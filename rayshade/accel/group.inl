@@ -1,5 +1,5 @@
-// One group of shadow rays whose pyramid is too wide: each ray has its own slopes, and a stack entry
-// knows which rays met it; part of trace.inl.
+// One group of shadow rays whose pyramid is too wide: each ray has its own slopes, and a stack
+// entry knows which rays met it; part of trace.inl.
 
 struct GroupEntry {
   uint64_t branch;

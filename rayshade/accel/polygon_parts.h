@@ -3,8 +3,8 @@
 //
 //   1. Corners of parts are points of the polygon. But for lines through edges, a line winds around
 //   the polygon as often as it passes through parts: the winding of a closed path is the sum of
-//   those of the triangles into which diagonals cut it, whatever its shape, and all of them turn the
-//   same way.
+//   those of the triangles into which diagonals cut it, whatever its shape, and all of them turn
+//   the same way.
 //   2. A polygon that cannot be cut in this way (it winds both ways round) or has too many points
 //   has no parts.
 #pragma once

@@ -99,8 +99,8 @@ Quad QuadAround(std::span<const Vector> points, const Vector& normal, double off
   }
   quad.row[17] = static_cast<float>(1.00001 * diameter);
   const float endless = std::numeric_limits<float>::infinity();
-  // Hits lie no farther outside of the convex hull of the points than these are off the plane, along
-  // the normal's dominant axis.
+  // Hits lie no farther outside of the convex hull of the points than these are off the plane,
+  // along the normal's dominant axis.
   quad.row[18] = own && quad.row[16] <= room ? 0 : endless;
   // A rectangle could not be made, or single precision ends here.
   const bool sound = std::all_of(quad.row, quad.row + 18,

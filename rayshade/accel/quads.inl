@@ -14,8 +14,8 @@
 //   Corners off their plane count 10. w Q is at least the height, and the depth of the nearest
 //   corner. A comparison with something that is not a number leaves nothing out.
 //   3. The same margins, doubled, tell what surely hits: a line that passes inside of the
-//   quadrilateral as it is here hits it, and so the true one is no farther off than that. Where this
-//   is the object itself, its own test counts any line that truly passes inside as a hit.
+//   quadrilateral as it is here hits it, and so the true one is no farther off than that. Where
+//   this is the object itself, its own test counts any line that truly passes inside as a hit.
 
 constexpr float kOneRounding = 1.2e-7f;  // twice of what one rounding is
 
@@ -37,7 +37,7 @@ struct SeenQuads {
   F8 least;          // of the edge functions of a line that may hit
   F8 inside;         // larger edge functions are those of lines that surely pass through the object
   F8 plane[3];       // normal
-  F8 height;         // of the plane over the viewpoint
+  F8 height;         // of the plane over the viewpoint; nothing is left out where it is -infinite
   F8 height_margin;  // without the part that grows with depth
 };
 
@@ -84,6 +84,7 @@ RAYSHADE_KERNEL SeenQuads SeeQuads(const float* rows, uint32_t count, const View
   const uint32_t above = Less(s.height_margin, s.height);
   s.least = Choose(above, SetF(0) - margin, SetF(0) - endless);
   s.inside = Choose(above, SetF(2) * margin + row(18), endless);
+  s.height = Choose(above, s.height, SetF(0) - endless);
   return s;
 }
 
@@ -131,8 +132,8 @@ RAYSHADE_KERNEL uint32_t QuadsOnRay(const TraceView& view, uint64_t branch, cons
   p.w = 2;
   p.sign = p.handed = 1;
   p.size = __builtin_fabsf(p.at[0]) + __builtin_fabsf(p.at[1]) + __builtin_fabsf(p.at[2]);
-  p.loose = static_cast<float>(1e-14 * (__builtin_fabs(o[0]) + __builtin_fabs(o[1]) +
-                                        __builtin_fabs(o[2])));
+  p.loose = static_cast<float>(
+      1e-14 * (__builtin_fabs(o[0]) + __builtin_fabs(o[1]) + __builtin_fabs(o[2])));
   const float d[3] = {static_cast<float>(direction[0]), static_cast<float>(direction[1]),
                       static_cast<float>(direction[2])};
   p.q_sum = 1.00001f * (__builtin_fabsf(d[0]) + __builtin_fabsf(d[1]) + __builtin_fabsf(d[2]));
@@ -140,9 +141,7 @@ RAYSHADE_KERNEL uint32_t QuadsOnRay(const TraceView& view, uint64_t branch, cons
   const SeenQuads s = SeeQuads(view, branch, p);
   const F8 x = SetF(d[0]), y = SetF(d[1]), z = SetF(d[2]);
   const auto at = [&](const F8* n) { return n[0] * x + n[1] * y + n[2] * z; };
-  const F8 edges =
-      Min(Min(at(s.edge[0]), at(s.edge[1])), Min(at(s.edge[2]), at(s.edge[3])));
-  const F8 reached =
-      HeightReached(at(s.plane), SetF(most), s.height_margin, p.q_sum);
+  const F8 edges = Min(Min(at(s.edge[0]), at(s.edge[1])), Min(at(s.edge[2]), at(s.edge[3])));
+  const F8 reached = HeightReached(at(s.plane), SetF(most), s.height_margin, p.q_sum);
   return ~(Less(edges, s.least) | Less(reached, s.height)) & ((1u << CountOf(branch)) - 1);
 }

@@ -35,7 +35,8 @@ RAYSHADE_KERNEL void LoadRows(const ShadowRows& rows, uint32_t first, uint32_t c
   }
   for (int g = 0; g < b->groups; ++g) {
     const uint32_t begin = 8 * static_cast<uint32_t>(g), size = count - begin;
-    const uint32_t live = ~BitsAt(rows.blocked + first + begin, size) & (size < 8 ? (1u << size) - 1 : 0xff);
+    const uint32_t live =
+        ~BitsAt(rows.blocked + first + begin, size) & (size < 8 ? (1u << size) - 1 : 0xff);
     b->live[g] = live;
     const D8 limit = LoadD(rows.limits + first + 8 * g);
     Store(limit, b->strict[g]);

@@ -313,8 +313,7 @@ Quad StoredObjects::QuadAround(uint32_t object, const double center[3]) const {
                                 std::numeric_limits<double>::infinity());
   }
   const FlatPolygon& p = polygons_[at.index];
-  return rayshade::QuadAround(PointsOf(p), p.plane.normal, p.plane.offset, center,
-                              RoomOf(object));
+  return rayshade::QuadAround(PointsOf(p), p.plane.normal, p.plane.offset, center, RoomOf(object));
 }
 
 // How much larger a polygon's box is than its points'; infinite where the box does not matter.

@@ -59,8 +59,8 @@ TEST(PolygonParts, CoverEveryPointAsOftenAsThePolygonWinds) {
 }
 
 TEST(PolygonParts, OfAHoleWithASeamAndOfPointsInARow) {
-  const std::vector<Vector> frame = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0},      {-1, 1, 0},
-                                     {-1, -1, 0}, {-.5, -.5, 0}, {-.5, .5, 0}, {.5, .5, 0},
+  const std::vector<Vector> frame = {{-1, -1, 0},  {1, -1, 0},    {1, 1, 0},    {-1, 1, 0},
+                                     {-1, -1, 0},  {-.5, -.5, 0}, {-.5, .5, 0}, {.5, .5, 0},
                                      {.5, -.5, 0}, {-.5, -.5, 0}};
   EXPECT_GT(Check(frame), 0u);
   EXPECT_GT(Check({{0, 0, 0}, {.5, 0, 0}, {1, 0, 0}, {1, 1, 0}, {.3, 1, 0}, {0, 1, 0}}), 0u);

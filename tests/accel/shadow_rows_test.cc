@@ -118,12 +118,23 @@ struct Rows {
     }
   }
   void Trace(const ObjectSet& set, const Vector& light, double reach) {
-    set.Aim({{point[0], point[1], point[2]}, {normal[0], normal[1], normal[2]},
-             static_cast<uint32_t>(count), {light.x, light.y, light.z},
-             {toward[0], toward[1], toward[2]}, distance, cosine});
+    set.Aim({{point[0], point[1], point[2]},
+             {normal[0], normal[1], normal[2]},
+             static_cast<uint32_t>(count),
+             {light.x, light.y, light.z},
+             {toward[0], toward[1], toward[2]},
+             distance,
+             cosine});
     OpCounts counts;
-    set.Block({{point[0], point[1], point[2]}, {toward[0], toward[1], toward[2]}, distance, time,
-               {light.x, light.y, light.z}, reach, blocked, crossed, static_cast<uint32_t>(count)},
+    set.Block({{point[0], point[1], point[2]},
+               {toward[0], toward[1], toward[2]},
+               distance,
+               time,
+               {light.x, light.y, light.z},
+               reach,
+               blocked,
+               crossed,
+               static_cast<uint32_t>(count)},
               &counts);
   }
   size_t count;
@@ -169,7 +180,8 @@ void Compare(uint64_t seed, const Vector& center, double off) {
   const std::unique_ptr<Scene> scene = MakeScene();
   const double reach = 20 + SumOfSizes(center);
   for (int how = 0; how < 8; ++how) {
-    const Vector light = how < 4 ? center + random.Point(5) : room.marks[how * 7] + Vector{0, 0, off};
+    const Vector light =
+        how < 4 ? center + random.Point(5) : room.marks[how * 7] + Vector{0, 0, off};
     Rows rows(Starts(&random, room, light, how % 4));
     std::vector<int> expected;
     for (const char* simd : kAllKernels) {
@@ -186,14 +198,17 @@ void Compare(uint64_t seed, const Vector& center, double off) {
       size_t blocked = 0;
       for (size_t i = 0; i < rows.count; ++i) {
         if (expected.size() <= i) expected.push_back(InTheWay(set, rows, i));
-        ASSERT_EQ(rows.blocked[i], expected[i] & 1) << simd << " " << seed << " " << how << " " << i;
+        ASSERT_EQ(rows.blocked[i], expected[i] & 1)
+            << simd << " " << seed << " " << how << " " << i;
         // Crossed rays are asked about again, so that too many do no harm; one too few would.
         if (expected[i] == 2) {
           ASSERT_EQ(rows.crossed[i], 1) << simd << " " << seed << " " << i;
         }
         blocked += rows.blocked[i];
       }
-      if (how == 2) EXPECT_GT(blocked, 10u) << seed;
+      if (how == 2) {
+        EXPECT_GT(blocked, 10u) << seed;
+      }
     }
   }
 }
@@ -240,12 +255,21 @@ TEST(LightRows, DoWhatTheyDoForOneHitAtATime) {
     set.Build();
     unsetenv("RAYSHADE_SIMD");
     uint8_t by_row[kRoom], dark[kRoom];
-    set.Sort({{toward[0], toward[1], toward[2]}, cosine, {face[0], face[1], face[2]}, slack, kCount,
-              by_row, dark});
+    set.Sort({{toward[0], toward[1], toward[2]},
+              cosine,
+              {face[0], face[1], face[2]},
+              slack,
+              kCount,
+              by_row,
+              dark});
     double sum[3][kRoom];
     std::copy(&before[0][0], &before[0][0] + 3 * kRoom, &sum[0][0]);
-    set.AddDiffuse({dark, cosine, {diffuse[0], diffuse[1], diffuse[2]},
-                    {arrived.r, arrived.g, arrived.b}, {sum[0], sum[1], sum[2]}, kCount});
+    set.AddDiffuse({dark,
+                    cosine,
+                    {diffuse[0], diffuse[1], diffuse[2]},
+                    {arrived.r, arrived.g, arrived.b},
+                    {sum[0], sum[1], sum[2]},
+                    kCount});
     for (uint32_t i = 0; i < kCount; ++i) {
       const Vector t{toward[0][i], toward[1][i], toward[2][i]};
       const Vector f{face[0][i], face[1][i], face[2][i]};
