@@ -13,9 +13,9 @@ namespace rayshade::parallel {
 
 // Where the primary rays of a picture are expected to hit.
 struct PredictedHits {
-  std::vector<double> by_cell;    // share of the picture's hits, all together at most 1
-  int across = 0;                 // squares across the picture, and down
-  std::vector<CellId> cells;      // by square, row by row; kNoCell: nothing is hit
+  std::vector<double> by_cell;  // share of the picture's hits, all together at most 1
+  int across = 0;               // squares across the picture, and down
+  std::vector<CellId> cells;    // by square, row by row; kNoCell: nothing is hit
 };
 
 // Rays to a grid of pixels against the ellipsoids in the objects' boxes: geometry need not be

@@ -35,7 +35,8 @@ class ExpectedOwners {
  private:
   size_t Square(const Sample& s) const {
     const int x = std::min(across_ - 1, s.x * across_ / width_);
-    const int y = std::min(across_ - 1, s.y * across_ / height_);  // there is a row below the picture
+    const int y =
+        std::min(across_ - 1, s.y * across_ / height_);  // there is a row below the picture
     return size_t(y) * across_ + x;
   }
 

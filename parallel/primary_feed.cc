@@ -12,8 +12,7 @@ namespace rayshade::parallel {
 // How far pyramids may overtake each other: rows of the picture should come in roughly in order.
 constexpr size_t kPyramidsAhead = 256;
 
-PyramidFeed::Pyramid PyramidFeed::TakeFor(ProcessId process, size_t most,
-                                          PixelSampling* sampling) {
+PyramidFeed::Pyramid PyramidFeed::TakeFor(ProcessId process, size_t most, PixelSampling* sampling) {
   if (owners_.empty()) return {sampling->Next(most)};
   while (ahead_.size() < kPyramidsAhead) {
     Pyramid next{sampling->Next(most)};

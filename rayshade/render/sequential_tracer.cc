@@ -7,12 +7,13 @@
 #include <utility>
 
 #include "rayshade/common/check.h"
+#include "rayshade/shade/point_light_rows.h"
 
 namespace rayshade {
 namespace {
 
 // What is in work at a time should stay in the processor's second cache.
-constexpr size_t kBundleSize = 512;
+constexpr size_t kBundleSize = PointLightRows::kMost;
 
 // Puts the rays of `from` behind those of *to, with their media; `from` is used up.
 void AppendBundle(RayBundle&& from, RayBundle* to) {
@@ -76,43 +77,6 @@ struct ShadowBatch {
         blocked(kBundleSize) {}
 };
 
-// The hits of a level in rows (accel/trace_view.h), for lights that shine from one point. Hits that
-// such a light may do something unusual to (`plain` is 0) go the general way.
-struct HitRows {
-  alignas(64) double point[3][kBundleSize];
-  alignas(64) double normal[3][kBundleSize];
-  alignas(64) double toward[3][kBundleSize];
-  alignas(64) double distance[kBundleSize], cosine[kBundleSize], time[kBundleSize];
-  uint8_t plain[kBundleSize];
-  uint8_t by_row[kBundleSize];  // plain, and its shadow ray to the light at hand begins at epsilon
-  uint8_t blocked[kBundleSize], crossed[kBundleSize];
-  double reach = 0;  // of the points
-
-  void Set(const Scene& scene, std::span<const Ray> rays, std::span<const SurfaceHit> surfaces,
-           std::span<const uint32_t> owners);
-};
-
-void HitRows::Set(const Scene& scene, std::span<const Ray> rays,
-                  std::span<const SurfaceHit> surfaces, std::span<const uint32_t> owners) {
-  const bool clear = scene.spec.atmosphere.effects.empty();
-  reach = 0;
-  const size_t count = surfaces.size(), end = (count + 7) / 8 * 8;
-  for (size_t s = 0; s < end; ++s) {
-    const SurfaceHit& hit = surfaces[std::min(s, count - 1)];
-    const Surface& surface = hit.surface();
-    for (int axis = 0; axis < 3; ++axis) {
-      point[axis][s] = hit.point[axis];
-      normal[axis][s] = hit.normal[axis];
-      reach = std::max(reach, std::abs(hit.point[axis]));
-    }
-    const Ray& ray = rays[owners[std::min(s, count - 1)]];
-    time[s] = ray.time;
-    // A light surely shows where something of its red does: SampleLight need not be asked.
-    plain[s] = !hit.smooth && surface.translucency < kEpsilon && !surface.noshadow && clear &&
-               surface.diffuse.r != 0 && ray.contribution.r != 0;
-  }
-}
-
 }  // namespace
 
 void ShadowTracer::Trace(std::span<const Ray> rays, std::span<const double> limits,
@@ -160,8 +124,8 @@ struct SequentialTracer::Impl {
                   std::span<RayResult> results, OpCounts* counts);
   size_t Resolve(std::span<const Ray> rays, std::span<RayResult> results, Level* level);
   void Illuminate(std::span<const Ray> rays, size_t count, Level* level, OpCounts* counts);
-  void IlluminateByPoint(const Light& light, std::span<const Ray> rays, size_t count, Level* level,
-                         OpCounts* counts);
+  void IlluminateByRows(uint32_t light, std::span<const Ray> rays, size_t count, Level* level,
+                        OpCounts* counts);
   void IlluminateBy(uint32_t light, std::span<const Ray> rays, size_t count, Level* level,
                     OpCounts* counts);
   void Spawn(std::span<const Ray> rays, const std::vector<Medium>& media, size_t count,
@@ -173,7 +137,7 @@ struct SequentialTracer::Impl {
   const ObjectSet& objects;
   ShadowTracer shadow_tracer;
   ShadowBatch shadows;
-  std::unique_ptr<HitRows> rows = std::make_unique<HitRows>();
+  std::unique_ptr<PointLightRows> rows = std::make_unique<PointLightRows>();
   HitPath path;
   std::vector<std::unique_ptr<Level>> levels;
 };
@@ -203,76 +167,31 @@ void SequentialTracer::Impl::Illuminate(std::span<const Ray> rays, size_t count,
   if (count == 0) return;
   rows->Set(scene, rays, {level->surfaces.data(), count}, {level->owners.data(), count});
   for (uint32_t light = 0; light < scene.lights.size(); ++light) {
-    const Light& source = *scene.lights[light];
-    const bool by_rows = source.position() != nullptr && scene.settings().shadows &&
-                         !source.noshadow() && source.intensity().r != 0 &&
-                         scene.settings().light_cutoff == 0 && scene.settings().area_cells == 0;
-    std::fill_n(rows->by_row, count, uint8_t{0});
-    if (by_rows) IlluminateByPoint(source, rays, count, level, counts);
-    const bool all = std::count(rows->by_row, rows->by_row + count, 1) == ptrdiff_t(count);
-    if (!all) IlluminateBy(light, rays, count, level, counts);
+    rows->Clear();
+    if (PointLightRows::Suit(scene, *scene.lights[light])) {
+      IlluminateByRows(light, rays, count, level, counts);
+    }
+    if (!rows->all_done()) IlluminateBy(light, rays, count, level, counts);
   }
 }
 
 // What IlluminateBy does, for the plain hits of a light that shines from one point.
-void SequentialTracer::Impl::IlluminateByPoint(const Light& light, std::span<const Ray> rays,
-                                               size_t count, Level* level, OpCounts* counts) {
-  HitRows& r = *rows;
-  const Vector& at = *light.position();
-  const auto size = static_cast<uint32_t>(count);
-  objects.Aim({{r.point[0], r.point[1], r.point[2]},
-               {r.normal[0], r.normal[1], r.normal[2]},
-               size,
-               {at.x, at.y, at.z},
-               {r.toward[0], r.toward[1], r.toward[2]},
-               r.distance,
-               r.cosine});
-  size_t plain = 0, traced = 0;
-  for (size_t s = 0; s < count; ++s) {
-    const SurfaceHit& hit = level->surfaces[s];
-    const Vector toward{r.toward[0][s], r.toward[1][s], r.toward[2][s]};
-    r.by_row[s] = r.plain[s] && LeastDistance(hit, toward, kShadowEpsilon) == kShadowEpsilon;
-    const bool wanted = r.by_row[s] && r.cosine[s] > 0;
-    plain += r.by_row[s];
-    traced += wanted;
-    r.blocked[s] = !wanted;
-  }
-  counts->light_samples += plain;
-  counts->shadow_rays += traced;
-  const bool transparent = scene.any_transparent;
-  if (transparent) std::fill_n(r.crossed, count, uint8_t{0});
-  const double reach = std::max({r.reach, std::abs(at.x), std::abs(at.y), std::abs(at.z)});
-  if (traced > 0) {
-    objects.Block({{r.point[0], r.point[1], r.point[2]},
-                   {r.toward[0], r.toward[1], r.toward[2]},
-                   r.distance,
-                   r.time,
-                   {at.x, at.y, at.z},
-                   reach,
-                   r.blocked,
-                   transparent ? r.crossed : nullptr,
-                   size},
-                  counts);
-  }
+void SequentialTracer::Impl::IlluminateByRows(uint32_t number, std::span<const Ray> rays,
+                                              size_t count, Level* level, OpCounts* counts) {
+  const Light& light = *scene.lights[number];
+  rows->Trace(scene, objects, light, {level->surfaces.data(), count}, counts);
   LightSample sample;
-  size_t blocked = 0;
   for (size_t s = 0; s < count; ++s) {
-    if (r.blocked[s]) {
-      ++blocked;
-      continue;
-    }
-    sample.toward = {r.toward[0][s], r.toward[1][s], r.toward[2][s]};
-    sample.cosine = r.cosine[s];
-    Color arrived = light.intensity();
+    if (rows->blocked(s)) continue;
+    rows->Sample(light, number, s, &sample);
     const SurfaceHit& surface = level->surfaces[s];
-    if (transparent && r.crossed[s]) {
+    if (rows->crossed(s)) {
       Ray shadow;
       MakeShadowRay(rays[level->owners[s]], surface, sample.toward, &shadow);
-      if (!shadow_tracer.Pass(shadow, r.distance[s], &arrived, counts)) continue;
+      if (!shadow_tracer.Pass(shadow, sample.limit, &sample.color, counts)) continue;
     }
-    AddLight(surface, sample, arrived, &level->colors[s]);
+    AddLight(surface, sample, sample.color, &level->colors[s]);
   }
-  counts->shadow_hits += blocked - (count - traced);
 }
 
 // One light, for the hits that are not done by rows.
@@ -281,7 +200,7 @@ void SequentialTracer::Impl::IlluminateBy(uint32_t light, std::span<const Ray> r
   ShadowBatch& batch = shadows;
   size_t traced = 0;
   for (size_t s = 0; s < count; ++s) {
-    if (rows->by_row[s]) continue;
+    if (rows->done(s)) continue;
     const SurfaceHit& surface = level->surfaces[s];
     LightSample& sample = batch.samples[traced];
     if (!SampleLight(scene, light, rays[level->owners[s]], surface, &sample, &batch.rays[traced],
