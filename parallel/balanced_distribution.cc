@@ -10,7 +10,7 @@ namespace rayshade::parallel {
 namespace {
 
 constexpr int kRaysAcross = 128;
-constexpr double kShareOfBytes = 0.2;  // of the weight of all cells
+constexpr double kShareOfBytes = 0.02;  // of the weight of all cells
 
 Vector Scaled(const Vector& v, const Vector& by) { return {v.x * by.x, v.y * by.y, v.z * by.z}; }
 
