@@ -105,28 +105,39 @@ RAYSHADE_KERNEL uint32_t NarrowRun(uint32_t groups, Bundle* b) {
   return run;
 }
 
-RAYSHADE_ROUTINE void BlockLive(const TraceView& view, const Bundle& b, uint32_t groups,
-                                const Fate& fate, Counters* counters) {
+// For the callbacks.
+RAYSHADE_KERNEL const Ray& LoadLone(const ShadowRows& rows, uint32_t i, Walker* w) {
+  Ray& ray = w->own;
+  ray.origin = {rows.origin[0][i], rows.origin[1][i], rows.origin[2][i]};
+  ray.direction = {rows.direction[0][i], rows.direction[1][i], rows.direction[2][i]};
+  ray.min_distance = kShadowEpsilon;
+  ray.time = rows.times[i];
+  ray.kind = RayKind::kShadow;
+  return ray;
+}
+
+// first: of the bundle among the rows.
+RAYSHADE_KERNEL void AppendLive(const Bundle& b, uint32_t groups, uint32_t first, LoneRays* lone) {
   for (; groups != 0; groups &= groups - 1) {
-    const int g = __builtin_ctz(groups);
+    const uint32_t g = static_cast<uint32_t>(__builtin_ctz(groups));
     for (uint32_t live = b.live[g]; live != 0; live &= live - 1) {
-      const int lane = __builtin_ctz(live), i = 8 * g + lane;
-      uint8_t met = 0;
-      fate.blocked[i] = OneIsBlocked(view, RayOf(b, i), b.strict[g][lane], &met, counters);
-      if (met && fate.crossed != nullptr) fate.crossed[i] = 1;
+      const uint32_t lane = static_cast<uint32_t>(__builtin_ctz(live));
+      lone->Append(first + 8 * g + lane, b.strict[g][lane]);
     }
   }
 }
 
+// Appends the rays that are better off alone.
 RAYSHADE_ROUTINE void BlockRowsOfBundle(const TraceView& view, const ShadowRows& rows,
-                                        uint32_t first, uint32_t count, Counters* counters) {
+                                        uint32_t first, uint32_t count, LoneRays* lone,
+                                        Counters* counters) {
   Bundle b;
   LoadRows(rows, first, count, &b);
   const Fate fate = FateFrom({rows.blocked, rows.crossed}, first);
   uint32_t left = 0;
   for (int g = 0; g < b.groups; ++g) left |= static_cast<uint32_t>(b.live[g] != 0) << g;
   if (view.unbounded_count > 0 || view.node_count == 0) {
-    BlockLive(view, b, left, fate, counters);
+    AppendLive(b, left, first, lone);
     return;
   }
   while (left != 0) {
@@ -142,7 +153,7 @@ RAYSHADE_ROUTINE void BlockRowsOfBundle(const TraceView& view, const ShadowRows&
     for (int k = 0; k < kGroups; ++k) b.most[k] = -1;
     uint32_t good = SlopesOfRows(left, axis, sign, &b);
     if ((good >> g & 1) == 0) {
-      BlockLive(view, b, 1u << g, fate, counters);
+      AppendLive(b, 1u << g, first, lone);
       left &= ~(1u << g);
       continue;
     }
@@ -152,14 +163,20 @@ RAYSHADE_ROUTINE void BlockRowsOfBundle(const TraceView& view, const ShadowRows&
       good &= ~run;
       const Slopes<float>& w = b.whole;
       if (w.u_high - w.u_low > kWidestLoneGroup || w.v_high - w.v_low > kWidestLoneGroup) {
-        BlockLive(view, b, run, fate, counters);
+        AppendLive(b, run, first, lone);
         continue;
       }
       for (int k = 0; k < kGroups; ++k) b.most[k] = -1;
       for (uint32_t m = run; m != 0; m &= m - 1) UpdateMost(&b, __builtin_ctz(m));
       UpdateWholeMost(&b);
       SetApex(view, rows, axis, -sign, &b);
-      if (!BlockBundle(view, &b, run, fate, counters)) BlockLive(view, b, run, fate, counters);
+      if (!BlockBundle(view, &b, run, fate, counters)) AppendLive(b, run, first, lone);
     }
   }
+}
+
+RAYSHADE_ROUTINE void BlockLoneOfRows(const TraceView& view, const ShadowRows& rows,
+                                      const LoneRays& lone, Counters* counters) {
+  const BlockJob<ShadowRows> job{view, rows, lone.rays, {rows.blocked, rows.crossed}, counters};
+  Walk(view, job, lone.count, counters);
 }
