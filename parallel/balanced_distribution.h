@@ -11,10 +11,16 @@
 
 namespace rayshade::parallel {
 
-// The share of the picture's primary hits that is expected in each cell, all together at most 1:
-// rays to a grid of pixels are weakened by each cell as by a cloud of its objects, of which only
-// the boxes are looked at. Reads the spool once.
-std::vector<double> PredictHits(const Camera& camera, const CellTree& tree, ObjectSpool* spool);
+// Where the primary rays of a picture are expected to hit.
+struct PredictedHits {
+  std::vector<double> by_cell;  // share of the picture's hits, all together at most 1
+  int across = 0;               // squares across the picture, and down
+  std::vector<CellId> cells;    // by square, row by row; kNoCell: nothing is hit
+};
+
+// Rays to a grid of pixels against the ellipsoids in the objects' boxes: geometry need not be
+// decoded for a guess. Reads the spool once.
+PredictedHits PredictHits(const Camera& camera, const CellTree& tree, ObjectSpool* spool);
 
 // What the prediction weighs each cell with: its hits, and a part for its bytes, since secondary
 // rays meet what the eye does not see.

@@ -73,7 +73,7 @@ HostProcess::HostProcess(const RunOptions& options, ObjectSpool* spool, int fram
   if (options_.schedule == Schedule::kDataParallel) {
     feed_ = std::make_unique<DataParallelFeed>(camera_.get(), &tree_, options_.processes);
   } else {
-    feed_ = std::make_unique<PyramidFeed>(pyramid);
+    feed_ = std::make_unique<PyramidFeed>(pyramid, std::move(expected_owners_));
   }
   options_.pyramid = static_cast<uint32_t>(pyramid);
 }
@@ -83,11 +83,12 @@ HostProcess::~HostProcess() = default;
 // Every process gets its part of the work; of the bytes, where that would take more than half of a
 // process's memory: caches, rays and the building of the hierarchy need the rest.
 void HostProcess::Balance() {
-  const std::vector<double> hits = PredictHits(*camera_, tree_, spool_);
-  ShareOut(WorkByCell(hits, tree_), options_.processes, &tree_);
+  const PredictedHits hits = PredictHits(*camera_, tree_, spool_);
+  ShareOut(WorkByCell(hits.by_cell, tree_), options_.processes, &tree_);
   if (options_.memory != 0 && FullestProcess().second > options_.memory / 2) {
     ShareOut(BytesByCell(tree_), options_.processes, &tree_);
   }
+  expected_owners_ = ExpectedOwners(hits, tree_, camera_->window());
 }
 
 // The process that needs most memory for its objects and the two largest cells of others, and how

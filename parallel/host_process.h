@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "parallel/expected_owners.h"
 #include "parallel/image_table.h"
 #include "parallel/message.h"
 #include "parallel/object_spool.h"
@@ -90,6 +91,7 @@ class HostProcess : public Process {
   CellTree tree_;
   std::unique_ptr<Camera> camera_;
   std::unique_ptr<PixelSampling> sampling_;
+  ExpectedOwners expected_owners_;
   std::unique_ptr<class PrimaryFeed> feed_;
   Phase phase_ = Phase::kSetUp;
   std::string failure_;

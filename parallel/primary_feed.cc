@@ -9,12 +9,37 @@
 
 namespace rayshade::parallel {
 
+// How far pyramids may overtake each other: rows of the picture should come in roughly in order.
+constexpr size_t kPyramidsAhead = 256;
+
+PyramidFeed::Pyramid PyramidFeed::TakeFor(ProcessId process, size_t most, PixelSampling* sampling) {
+  if (owners_.empty()) return {sampling->Next(most)};
+  while (ahead_.size() < kPyramidsAhead) {
+    Pyramid next{sampling->Next(most)};
+    if (next.samples.empty()) break;
+    next.owner = owners_.OwnerOf(next.samples);
+    ahead_.push_back(std::move(next));
+  }
+  auto best = ahead_.begin();
+  const auto rank = [process](const Pyramid& p) {
+    return p.owner == process ? 0 : p.owner == kHost ? 1 : 2;
+  };
+  for (auto p = ahead_.begin(); p != ahead_.end() && rank(*best) > 0; ++p) {
+    if (rank(*p) < rank(*best)) best = p;
+  }
+  if (best == ahead_.end()) return {};
+  Pyramid taken = std::move(*best);
+  ahead_.erase(best);
+  return taken;
+}
+
 size_t PyramidFeed::HandOut(size_t room, PixelSampling* sampling, Outbox* outbox) {
   size_t handed_out = 0;
   while (!requests_.empty() && handed_out < room) {
     if (room - handed_out < pyramid_ && handed_out > 0) break;  // no slivers: wait for results
     PrimaryRays message;
-    for (const Sample& sample : sampling->Next(std::min(pyramid_, room - handed_out)))
+    for (const Sample& sample :
+         TakeFor(requests_.front(), std::min(pyramid_, room - handed_out), sampling).samples)
       message.tokens.push_back(TokenOf(sample));
     if (message.tokens.empty()) break;
     handed_out += message.tokens.size();

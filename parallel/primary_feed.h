@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "parallel/cell_tree.h"
+#include "parallel/expected_owners.h"
 #include "parallel/process.h"
 #include "parallel/run_options.h"
 #include "rayshade/render/camera.h"
@@ -22,15 +23,26 @@ class PrimaryFeed {
 };
 
 // "There is a host process that issues bundles of rays on request" [RJ s.4]: each request is
-// answered by one pyramid.
+// answered by one pyramid. Where owners of hits are expected, the process that asks gets a pyramid
+// that it is expected to own, before one that hits nothing, before one of another's: a hit that is
+// found where it is shaded need not be transferred.
 class PyramidFeed : public PrimaryFeed {
  public:
-  explicit PyramidFeed(size_t pyramid) : pyramid_(pyramid) {}
+  PyramidFeed(size_t pyramid, ExpectedOwners owners)
+      : pyramid_(pyramid), owners_(std::move(owners)) {}
   void OnRequest(ProcessId from) override { requests_.push_back(from); }
   size_t HandOut(size_t room, PixelSampling* sampling, Outbox* outbox) override;
 
  private:
+  struct Pyramid {
+    std::vector<Sample> samples;
+    ProcessId owner = kHost;  // expected; kHost: nobody
+  };
+  Pyramid TakeFor(ProcessId process, size_t most, PixelSampling* sampling);
+
   size_t pyramid_;
+  ExpectedOwners owners_;
+  std::deque<Pyramid> ahead_;  // looked at and not handed out, in the picture's order
   std::deque<ProcessId> requests_;
 };
 

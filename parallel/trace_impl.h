@@ -22,6 +22,7 @@
 #include "parallel/work_queue.h"
 #include "rayshade/render/camera.h"
 #include "rayshade/shade/crossing.h"
+#include "rayshade/shade/point_light_rows.h"
 #include "rayshade/shade/shade.h"
 
 namespace rayshade::parallel {
@@ -145,7 +146,9 @@ struct TraceProcess::Impl {
   // trace_shading.cc
   void ShadeBatch(const RayQueue& rays, Outbox* outbox);
   void Illuminate(const RayQueue& rays, size_t count, uint32_t light, Outbox* outbox);
-  void TraceShadows(size_t count);
+  size_t IlluminateByRows(const RayQueue& rays, size_t count, uint32_t light);
+  size_t SampleRest(const RayQueue& rays, size_t count, uint32_t light, size_t traced);
+  void TraceShadows(size_t done, size_t count);
   bool Arrives(bool blocked, std::vector<ShadowCrossing>* crossings, Color* color);
   void Fold(const RayQueue& rays, size_t hit, const LightSample& sample, bool arrives);
   WaitingShade& Aside(const RayQueue& rays, size_t hit);
@@ -200,6 +203,7 @@ struct TraceProcess::Impl {
   RayQueue step;
   HitBatch batch;
   ShadowBatch shadows;
+  std::unique_ptr<PointLightRows> rows = std::make_unique<PointLightRows>();
   std::vector<CellTracer::Shadow> halting;
   std::vector<uint32_t> halting_numbers;
   HitPath path;

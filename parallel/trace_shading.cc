@@ -15,6 +15,9 @@ void TraceProcess::Impl::ShadeBatch(const RayQueue& rays, Outbox* outbox) {
     batch.lights[h] = ShadeAmbient(*scene, batch.surfaces[h]);
     batch.aside[h] = kNotAside;
   }
+  if (count > 0) {
+    rows->Set(*scene, rays.bundle.rays, {batch.surfaces.data(), count}, {batch.rays.data(), count});
+  }
   for (uint32_t light = 0; count > 0 && light < scene->lights.size(); ++light) {
     Illuminate(rays, count, light, outbox);
   }
@@ -29,9 +32,57 @@ void TraceProcess::Impl::ShadeBatch(const RayQueue& rays, Outbox* outbox) {
 // One light for all hits of the batch: its shadow rays form a pyramid.
 void TraceProcess::Impl::Illuminate(const RayQueue& rays, size_t count, uint32_t light,
                                     Outbox* outbox) {
+  rows->Clear();
+  size_t done = 0;
+  if (PointLightRows::Suit(*scene, *scene->lights[light])) {
+    done = IlluminateByRows(rays, count, light);
+  }
+  const size_t traced = rows->all_done() ? done : SampleRest(rays, count, light, done);
+  if (traced == 0) return;
   ShadowBatch& s = shadows;
-  size_t traced = 0;
+  TraceShadows(done, traced);
+  for (size_t k = 0; k < traced; ++k) {
+    if (s.halted[k] != kNoCell) {
+      Wait(rays, k, outbox);
+      continue;
+    }
+    const bool arrives = Arrives(s.blocked[k] != 0, &s.crossings[k], &s.samples[k].color);
+    Fold(rays, s.hits[k], s.samples[k], arrives);
+  }
+}
+
+// The hits that rows can do, against the objects that are held for good. Those that this does not
+// decide become shadow rays, of which there are as many as it returns.
+size_t TraceProcess::Impl::IlluminateByRows(const RayQueue& rays, size_t count, uint32_t number) {
+  const Light& light = *scene->lights[number];
+  rows->Trace(*scene, *own, light, &counts);
+  ShadowBatch& s = shadows;
+  size_t undecided = 0;
   for (size_t h = 0; h < count; ++h) {
+    if (!rows->done(h) || !rows->faces(h)) continue;
+    LightSample& sample = s.samples[undecided];
+    sample = rows->Sample(light, number, h);
+    if (rows->blocked(h) || (tracer->owns_all() && !rows->crossed(h))) {
+      Fold(rays, h, sample, !rows->blocked(h));
+      continue;
+    }
+    MakeShadowRay(rays.bundle.rays[batch.rays[h]], batch.surfaces[h], sample.toward,
+                  &s.rays[undecided]);
+    s.limits[undecided] = sample.limit;
+    s.hits[undecided] = static_cast<uint32_t>(h);
+    s.crossed[undecided] = rows->crossed(h);
+    ++undecided;
+  }
+  return undecided;
+}
+
+// The light's samples of the other hits, behind the `traced` shadow rays that there are. Returns
+// how many there are then.
+size_t TraceProcess::Impl::SampleRest(const RayQueue& rays, size_t count, uint32_t light,
+                                      size_t traced) {
+  ShadowBatch& s = shadows;
+  for (size_t h = 0; h < count; ++h) {
+    if (rows->done(h)) continue;
     LightSample& sample = s.samples[traced];
     if (!SampleLight(*scene, light, rays.bundle.rays[batch.rays[h]], batch.surfaces[h], &sample,
                      &s.rays[traced], &counts)) {
@@ -43,29 +94,22 @@ void TraceProcess::Impl::Illuminate(const RayQueue& rays, size_t count, uint32_t
     }
     s.limits[traced] = sample.limit;
     s.hits[traced] = static_cast<uint32_t>(h);
+    s.crossed[traced] = 0;
     ++traced;
   }
-  if (traced == 0) return;
-  TraceShadows(traced);
-  for (size_t k = 0; k < traced; ++k) {
-    if (s.halted[k] != kNoCell) {
-      Wait(rays, k, outbox);
-      continue;
-    }
-    const bool arrives = Arrives(s.blocked[k] != 0, &s.crossings[k], &s.samples[k].color);
-    Fold(rays, s.hits[k], s.samples[k], arrives);
-  }
+  return traced;
 }
 
-// Follows the first shadow rays of the batch as far as this process can.
-void TraceProcess::Impl::TraceShadows(size_t count) {
+// Follows the shadow rays of the batch as far as this process can; the first `done` have passed the
+// objects that are held for good.
+void TraceProcess::Impl::TraceShadows(size_t done, size_t count) {
   ShadowBatch& s = shadows;
   std::fill_n(s.blocked.begin(), count, uint8_t{0});
   std::fill_n(s.halted.begin(), count, kNoCell);
-  const size_t crossings = scene->any_transparent ? count : 0;
-  std::fill_n(s.crossed.begin(), crossings, uint8_t{0});
-  own->Block({s.rays.data(), count}, {s.limits.data(), count}, {s.blocked.data(), count},
-             {s.crossed.data(), crossings}, &counts);
+  const size_t rest = count - done, crossings = scene->any_transparent ? count : 0;
+  own->Block({s.rays.data() + done, rest}, {s.limits.data() + done, rest},
+             {s.blocked.data() + done, rest}, {s.crossed.data() + done, crossings > 0 ? rest : 0},
+             &counts);
   for (size_t k = 0; k < crossings; ++k) {
     s.crossings[k].clear();
     if (s.blocked[k] || !s.crossed[k]) continue;

@@ -14,7 +14,7 @@ constexpr float kWidestShadowBundle = 0.08f;
 constexpr float kWidestShadowGroup = 0.08f;
 constexpr float kWidestGroup = 0.08f;
 constexpr float kWidestRun = 0.1f;
-constexpr float kWidestLoneGroup = 0.3f;
+constexpr float kWidestPacket = 0.1f;  // of one group with a slope for each ray
 // Work that a bundle may be for each of its groups.
 constexpr int kNearestPatience = 100;
 constexpr int kBlockPatience = 60;
@@ -56,7 +56,8 @@ RAYSHADE_KERNEL bool AskNearest(const TraceView& view, Bundle* b, int g, uint32_
     if (!b->has(g, lane)) continue;
     Hit& hit = hits[8 * g + lane];
     const uint32_t rank = hit.rank;
-    view.callbacks.nearest_other(view.set, RayOf(*b, 8 * g + lane), object, b->strict[g][lane], &hit);
+    view.callbacks.nearest_other(view.set, RayOf(*b, 8 * g + lane), object, b->strict[g][lane],
+                                 &hit);
     if (hit.rank == rank) continue;
     hit.set = view.owner;
     b->best[g][lane] = hit.distance;
@@ -149,11 +150,6 @@ RAYSHADE_ROUTINE bool NearestOfBundle(const TraceView& view, Bundle* b, Hit* hit
   }
   return true;
 }
-
-// What becomes of shadow rays; see ObjectSet::Block. crossed may be null.
-struct Fate {
-  uint8_t *blocked, *crossed;
-};
 
 RAYSHADE_KERNEL Meeting MeetingOf(const TraceView& view, const Bundle& b, int ray, bool sure,
                                   double distance, const LeafObject& o, bool opaque) {
@@ -294,22 +290,36 @@ RAYSHADE_ROUTINE bool TryBlock(const TraceView& view, const Ray* rays, const dou
   return view.node_count == 0 || BlockBundle(view, &b, (1u << b.groups) - 1, fate, counters);
 }
 
+// Appends the rays that are better off alone.
 RAYSHADE_KERNEL void NearestOfSome(const TraceView& view, const Ray* rays, Hit* hits,
-                                   uint32_t count, Counters* counters) {
+                                   uint32_t first, uint32_t count, LoneRays* lone,
+                                   Counters* counters) {
   double strict[kBundleSize];
-  for (uint32_t i = 0; i < count; ++i) strict[i] = StrictLimit(hits[i]);
-  if (count > 8 && TryNearest(view, rays, strict, hits, count, kWidestBundle, counters)) return;
+  for (uint32_t i = 0; i < count; ++i) strict[i] = StrictLimit(hits[first + i]);
+  const auto traced = [&](uint32_t i, uint32_t size, float widest) {
+    return size > 1 &&
+           TryNearest(view, rays + first + i, strict + i, hits + first + i, size, widest, counters);
+  };
+  if (count > 8 && traced(0, count, kWidestBundle)) return;
   for (uint32_t i = 0; i < count; i += 8) {
     const uint32_t size = count - i < 8 ? count - i : 8;
-    if (size > 1 && TryNearest(view, rays + i, strict + i, hits + i, size, kWidestGroup, counters))
-      continue;
-    for (uint32_t k = i; k < i + size; ++k) {
-      Hit hit = hits[k];
-      NearestOfOne(view, rays[k], strict[k], &hit, counters);
-      if (hit.rank == hits[k].rank) continue;
-      hit.set = view.owner;
-      hits[k] = hit;
-    }
+    if (traced(i, size, kWidestGroup)) continue;
+    for (uint32_t k = i; k < i + size; ++k) lone->Append(first + k, strict[k]);
+  }
+}
+
+RAYSHADE_ROUTINE void NearestOfMany(const TraceView& view, const Ray* rays, Hit* hits,
+                                    uint32_t count, Counters* counters) {
+  LoneRays lone;
+  uint32_t before[kLoneMost];
+  for (uint32_t i = 0; i < count; ++i) before[i] = hits[i].rank;
+  for (uint32_t i = 0; i < count; i += kBundleSize) {
+    const uint32_t size = count - i < kBundleSize ? count - i : kBundleSize;
+    NearestOfSome(view, rays, hits, i, size, &lone, counters);
+  }
+  NearestOfLone(view, rays, hits, lone.rays, lone.count, counters);
+  for (uint32_t i = 0; i < count; ++i) {
+    if (hits[i].rank != before[i]) CountHit(view, hits[i].object, counters);
   }
 }
 
@@ -317,26 +327,33 @@ RAYSHADE_KERNEL Fate FateFrom(const Fate& fate, uint32_t first) {
   return {fate.blocked + first, fate.crossed == nullptr ? nullptr : fate.crossed + first};
 }
 
-RAYSHADE_ROUTINE void BlockOneByOne(const TraceView& view, const Ray* rays, const double* limits,
-                                    const Fate& fate, uint32_t count, Counters* counters) {
-  for (uint32_t i = 0; i < count; ++i) {
-    if (fate.blocked[i]) continue;
-    uint8_t met = 0;
-    fate.blocked[i] = OneIsBlocked(view, rays[i], limits[i], &met, counters);
-    if (met && fate.crossed != nullptr) fate.crossed[i] = 1;
-  }
-}
-
-// A pyramid that is too wide is halved, as long as more than a group is left.
+// A pyramid that is too wide is halved, as long as more than a group is left. Appends the rays that
+// are better off alone.
 RAYSHADE_ROUTINE void BlockSome(const TraceView& view, const Ray* rays, const double* limits,
-                                const Fate& fate, uint32_t count, Counters* counters) {
+                                const Fate& fate, uint32_t first, uint32_t count, LoneRays* lone,
+                                Counters* counters) {
   const float widest = count > 8 ? kWidestShadowBundle : kWidestShadowGroup;
-  if (count > 1 && TryBlock(view, rays, limits, fate, count, widest, counters)) return;
+  if (count > 1 && TryBlock(view, rays + first, limits + first, FateFrom(fate, first), count,
+                            widest, counters)) {
+    return;
+  }
   if (count <= 8) {
-    BlockOneByOne(view, rays, limits, fate, count, counters);
+    for (uint32_t i = first; i < first + count; ++i) {
+      if (!fate.blocked[i]) lone->Append(i, limits[i]);
+    }
     return;
   }
   const uint32_t half = (count + 15) / 16 * 8;
-  BlockSome(view, rays, limits, fate, half, counters);
-  BlockSome(view, rays + half, limits + half, FateFrom(fate, half), count - half, counters);
+  BlockSome(view, rays, limits, fate, first, half, lone, counters);
+  BlockSome(view, rays, limits, fate, first + half, count - half, lone, counters);
+}
+
+RAYSHADE_ROUTINE void BlockMany(const TraceView& view, const Ray* rays, const double* limits,
+                                const Fate& fate, uint32_t count, Counters* counters) {
+  LoneRays lone;
+  for (uint32_t i = 0; i < count; i += kBundleSize) {
+    const uint32_t size = count - i < kBundleSize ? count - i : kBundleSize;
+    BlockSome(view, rays, limits, fate, i, size, &lone, counters);
+  }
+  BlockLone(view, rays, lone.rays, lone.count, fate, counters);
 }

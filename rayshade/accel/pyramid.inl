@@ -28,7 +28,7 @@ struct Bundle {
   alignas(64) double least[kGroups][8];
   alignas(64) double best[kGroups][8];    // the hit so far, or the limit; negative: no such ray
   alignas(64) double strict[kGroups][8];  // hits of strict kinds lie before
-  alignas(64) float u_low[8], u_high[8], v_low[8], v_high[8], most[8];  // of each group
+  alignas(64) float u_low[8], u_high[8], v_low[8], v_high[8], most[8];           // of each group
   alignas(64) float ray_u[kGroups][8], ray_v[kGroups][8], ray_most[kGroups][8];  // of each ray
   Slopes<float> whole;
   float w_near, w_far, u_near, u_far, v_near, v_far;  // apex; near: taken off the near plane
@@ -36,9 +36,9 @@ struct Bundle {
   int axis, near_plane, far_plane, u, v;              // planes of nodes; axes
   int groups;
   bool from_end;
-  bool pointed;     // the apex is a point, and viewpoint is set
-  bool sure;        // and no hit on a triangle is checked against its box
-  double apex[3];   // a corner of it
+  bool pointed;    // the apex is a point, and viewpoint is set
+  bool sure;       // and no hit on a triangle is checked against its box
+  double apex[3];  // a corner of it
   Viewpoint viewpoint;
   uint32_t live[kGroups];  // bits of the rays that are still of interest
   const Ray* rays;         // or null, and

@@ -114,15 +114,24 @@ RAYSHADE_KERNEL uint32_t NarrowRun(uint32_t groups, Bundle* b) {
   return run;
 }
 
-RAYSHADE_ROUTINE void BlockLive(const TraceView& view, const Bundle& b, uint32_t groups,
-                                const Fate& fate, Counters* counters) {
+// For the callbacks.
+RAYSHADE_KERNEL const Ray& LoadLone(const ShadowRows& rows, uint32_t i, Walker* w) {
+  Ray& ray = w->own;
+  ray.origin = {rows.origin[0][i], rows.origin[1][i], rows.origin[2][i]};
+  ray.direction = {rows.direction[0][i], rows.direction[1][i], rows.direction[2][i]};
+  ray.min_distance = kShadowEpsilon;
+  ray.time = rows.times[i];
+  ray.kind = RayKind::kShadow;
+  return ray;
+}
+
+// first: of the bundle among the rows.
+RAYSHADE_KERNEL void AppendLive(const Bundle& b, uint32_t groups, uint32_t first, LoneRays* lone) {
   for (; groups != 0; groups &= groups - 1) {
-    const int g = __builtin_ctz(groups);
+    const uint32_t g = static_cast<uint32_t>(__builtin_ctz(groups));
     for (uint32_t live = b.live[g]; live != 0; live &= live - 1) {
-      const int lane = __builtin_ctz(live), i = 8 * g + lane;
-      uint8_t met = 0;
-      fate.blocked[i] = OneIsBlocked(view, RayOf(b, i), b.strict[g][lane], &met, counters);
-      if (met && fate.crossed != nullptr) fate.crossed[i] = 1;
+      const uint32_t lane = static_cast<uint32_t>(__builtin_ctz(live));
+      lone->Append(first + 8 * g + lane, b.strict[g][lane]);
     }
   }
 }
@@ -136,9 +145,11 @@ RAYSHADE_KERNEL void SurroundRun(const TraceView& view, const ShadowRows& rows, 
   SetApex(view, rows, b->axis, -sign, b);
 }
 
-// Groups whose rays follow the bundle's axis; sign: of their directions along it.
+// Groups whose rays follow the bundle's axis; sign: of their directions along it. Appends the rays
+// that are better off alone; first: of the bundle among the rows.
 RAYSHADE_KERNEL void BlockRuns(const TraceView& view, const ShadowRows& rows, uint32_t groups,
-                               double sign, const Fate& fate, Bundle* b, Counters* counters) {
+                               double sign, const Fate& fate, uint32_t first, Bundle* b,
+                               LoneRays* lone, Counters* counters) {
   while (groups != 0) {
     uint32_t run = NarrowRun(groups, b);
     groups &= ~run;
@@ -148,6 +159,11 @@ RAYSHADE_KERNEL void BlockRuns(const TraceView& view, const ShadowRows& rows, ui
     }
     for (; run != 0; run &= run - 1) {
       const uint32_t one = NarrowRun(run & -run, b);
+      const Slopes<float>& w = b->whole;
+      if (w.u_high - w.u_low > kWidestPacket || w.v_high - w.v_low > kWidestPacket) {
+        AppendLive(*b, one, first, lone);
+        continue;
+      }
       SurroundRun(view, rows, one, sign, b);
       BlockGroup(view, b, __builtin_ctz(run), fate, counters);
     }
@@ -155,14 +171,15 @@ RAYSHADE_KERNEL void BlockRuns(const TraceView& view, const ShadowRows& rows, ui
 }
 
 RAYSHADE_ROUTINE void BlockRowsOfBundle(const TraceView& view, const ShadowRows& rows,
-                                        uint32_t first, uint32_t count, Counters* counters) {
+                                        uint32_t first, uint32_t count, LoneRays* lone,
+                                        Counters* counters) {
   Bundle b;
   LoadRows(rows, first, count, &b);
   const Fate fate = FateFrom({rows.blocked, rows.crossed}, first);
   uint32_t groups = 0;
   for (int g = 0; g < b.groups; ++g) groups |= static_cast<uint32_t>(b.live[g] != 0) << g;
   if (view.unbounded_count > 0 || view.node_count == 0) {
-    BlockLive(view, b, groups, fate, counters);
+    AppendLive(b, groups, first, lone);
     return;
   }
   uint32_t left[kGroups];
@@ -178,16 +195,22 @@ RAYSHADE_ROUTINE void BlockRowsOfBundle(const TraceView& view, const ShadowRows&
     const double sign = d[b.axis] < 0 ? -1 : 1;
     const uint32_t taken = TakeGroups(groups, b.axis, sign, left, &b);
     if ((taken >> g & 1) != 0) {
-      BlockRuns(view, rows, taken, sign, fate, &b, counters);
+      BlockRuns(view, rows, taken, sign, fate, first, &b, lone, counters);
     } else {
       // Not a direction.
       b.live[g] = 1u << lane;
       left[g] &= ~b.live[g];
-      BlockLive(view, b, 1u << g, fate, counters);
+      AppendLive(b, 1u << g, first, lone);
     }
     for (uint32_t m = groups; m != 0; m &= m - 1) {
       const int k = __builtin_ctz(m);
       if (left[k] == 0) groups &= ~(1u << k);
     }
   }
+}
+
+RAYSHADE_ROUTINE void BlockLoneOfRows(const TraceView& view, const ShadowRows& rows,
+                                      const LoneRays& lone, Counters* counters) {
+  const BlockJob<ShadowRows> job{view, rows, lone.rays, {rows.blocked, rows.crossed}, counters};
+  Walk(view, job, lone.count, counters);
 }

@@ -78,6 +78,13 @@ RAYSHADE_KERNEL F8 Choose(uint32_t mask, F8 a, F8 b) {
   const __m256i set = _mm256_and_si256(_mm256_set1_epi32(static_cast<int>(mask)), bit);
   return {_mm256_blendv_ps(b.v, a.v, _mm256_castsi256_ps(_mm256_cmpeq_epi32(set, bit)))};
 }
+RAYSHADE_KERNEL uint32_t LaneOfLeast(F8 a, F8 b) {
+  const __m256 out = _mm256_cmp_ps(a.v, b.v, _CMP_NLE_UQ);
+  const __m256i keys = _mm256_srli_epi32(_mm256_castps_si256(_mm256_or_ps(a.v, out)), 16);
+  const __m128i packed =
+      _mm_packus_epi32(_mm256_castsi256_si128(keys), _mm256_extracti128_si256(keys, 1));
+  return static_cast<uint32_t>(_mm_cvtsi128_si32(_mm_minpos_epu16(packed))) >> 16 & 7;
+}
 RAYSHADE_KERNEL float Least(F8 a) {
   __m128 m = _mm_min_ps(_mm256_castps256_ps128(a.v), _mm256_extractf128_ps(a.v, 1));
   m = _mm_min_ps(m, _mm_movehl_ps(m, m));
@@ -91,11 +98,46 @@ RAYSHADE_KERNEL float Largest(F8 a) {
 RAYSHADE_KERNEL F8 Rounded(D8 a) {
   return {_mm256_set_m128(_mm256_cvtpd_ps(a.b), _mm256_cvtpd_ps(a.a))};
 }
+// Lanes of four whose bits are set, one after the other.
+struct CompressTable {
+  alignas(32) uint32_t of_four[16][4], of_pairs[16][8];
+
+  constexpr CompressTable() : of_four(), of_pairs() {
+    for (uint32_t mask = 0; mask < 16; ++mask) {
+      uint32_t count = 0;
+      for (uint32_t lane = 0; lane < 4; ++lane) {
+        if ((mask >> lane & 1) == 0) continue;
+        of_four[mask][count] = lane;
+        of_pairs[mask][2 * count] = 2 * lane;
+        of_pairs[mask][2 * count + 1] = 2 * lane + 1;
+        ++count;
+      }
+    }
+  }
+};
+constexpr CompressTable kCompress;
+
 RAYSHADE_KERNEL void Compress(uint32_t mask, F8 a, float* to) {
-  alignas(32) float all[8];
-  _mm256_store_ps(all, a.v);
-  for (; mask != 0; mask &= mask - 1) *to++ = all[__builtin_ctz(mask)];
+  const uint32_t low = mask & 15, high = mask >> 4;
+  const auto lanes = [](uint32_t m) {
+    return _mm_load_si128(reinterpret_cast<const __m128i*>(kCompress.of_four[m]));
+  };
+  const __m128 b = _mm256_extractf128_ps(a.v, 1);
+  _mm_storeu_ps(to, _mm_permutevar_ps(_mm256_castps256_ps128(a.v), lanes(low)));
+  _mm_storeu_ps(to + __builtin_popcount(low), _mm_permutevar_ps(b, lanes(high)));
 }
 RAYSHADE_KERNEL void Compress(uint32_t mask, const uint64_t* from, uint64_t* to) {
-  for (; mask != 0; mask &= mask - 1) *to++ = from[__builtin_ctz(mask)];
+  const uint32_t low = mask & 15, high = mask >> 4;
+  const auto lanes = [](uint32_t m) {
+    return _mm256_load_si256(reinterpret_cast<const __m256i*>(kCompress.of_pairs[m]));
+  };
+  const auto four = [](const uint64_t* p) {
+    return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(p));
+  };
+  const auto store = [](uint64_t* p, __m256i v) {
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(p), v);
+  };
+  const __m256i a = four(from), b = four(from + 4);
+  store(to, _mm256_permutevar8x32_epi32(a, lanes(low)));
+  store(to + __builtin_popcount(low), _mm256_permutevar8x32_epi32(b, lanes(high)));
 }

@@ -53,6 +53,13 @@ RAYSHADE_KERNEL double Largest(D8 a) {
 RAYSHADE_KERNEL F8 Choose(uint32_t mask, F8 a, F8 b) {
   return {_mm256_mask_blend_ps(static_cast<__mmask8>(mask), b.v, a.v)};
 }
+RAYSHADE_KERNEL uint32_t LaneOfLeast(F8 a, F8 b) {
+  const __m256 out = _mm256_cmp_ps(a.v, b.v, _CMP_NLE_UQ);
+  const __m256i keys = _mm256_srli_epi32(_mm256_castps_si256(_mm256_or_ps(a.v, out)), 16);
+  const __m128i packed =
+      _mm_packus_epi32(_mm256_castsi256_si128(keys), _mm256_extracti128_si256(keys, 1));
+  return static_cast<uint32_t>(_mm_cvtsi128_si32(_mm_minpos_epu16(packed))) >> 16 & 7;
+}
 RAYSHADE_KERNEL float Least(F8 a) {
   __m128 m = _mm_min_ps(_mm256_castps256_ps128(a.v), _mm256_extractf128_ps(a.v, 1));
   m = _mm_min_ps(m, _mm_movehl_ps(m, m));

@@ -136,6 +136,17 @@ RAYSHADE_KERNEL F8 Choose(uint32_t mask, F8 a, F8 b) {
   RAYSHADE_LANES r.v[i] = (mask >> i & 1) ? a.v[i] : b.v[i];
   return r;
 }
+// Of the lanes with a <= b, the first one whose a is the least, by the upper 16 bits of positive
+// numbers; any lane where there is none.
+RAYSHADE_KERNEL uint32_t LaneOfLeast(F8 a, F8 b) {
+  uint32_t least = 0xffff, lane = 0;
+  RAYSHADE_LANES {
+    const uint32_t key = a.v[i] <= b.v[i] ? __builtin_bit_cast(uint32_t, a.v[i]) >> 16 : 0xffff;
+    lane = key < least ? static_cast<uint32_t>(i) : lane;
+    least = key < least ? key : least;
+  }
+  return lane;
+}
 RAYSHADE_KERNEL float Least(F8 a) {
   float r = a.v[0];
   RAYSHADE_LANES r = a.v[i] < r ? a.v[i] : r;

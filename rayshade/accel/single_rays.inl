@@ -6,6 +6,7 @@
 //   hits beyond kSureDistance.
 //   2. Which children are visited, and in which order, does not change an answer.
 
+constexpr uint32_t kPlaneBytes = kNodeWidth * sizeof(float);
 constexpr float kSlack = 1.000001f;
 constexpr double kSmallestDirection = 1e-30;
 
@@ -41,14 +42,15 @@ RAYSHADE_KERNEL void CountHit(const TraceView& view, uint32_t object, Counters* 
 
 // A ray as the nodes see it: single precision, relative to the hierarchy's center.
 struct SlabRay {
-  F8 near_origin[3], far_origin[3], inverse[3], far_inverse[3], least;
-  int near_plane[3], far_plane[3];
+  float near_origin[3], far_origin[3], inverse[3], least;
+  uint32_t near_plane[3], far_plane[3];  // as they lie in Node: bytes
 };
 
 // One ray at work.
 struct RayWork {
   double o[3], d[3];
   double least;         // hits lie beyond
+  double time;          // not used; it lies here in Ray, too
   double strict_limit;  // hits of strict kinds lie before
   double sure;          // hits beyond are checked against the object's box
   const Ray* ray;
@@ -64,44 +66,49 @@ RAYSHADE_KERNEL float FloatAbove(double x) {
 }
 
 RAYSHADE_KERNEL void SetUp(const TraceView& view, const Ray& ray, RayWork* w, SlabRay* s) {
-  const double o[3] = {ray.origin.x, ray.origin.y, ray.origin.z};
-  const double d[3] = {ray.direction.x, ray.direction.y, ray.direction.z};
-  double squared = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    w->o[axis] = o[axis];
-    w->d[axis] = d[axis];
-    squared += d[axis] * d[axis];
-    const bool negative = __builtin_signbit(d[axis]);
-    const double size = __builtin_fabs(d[axis]);
-    const double clamped = size < kSmallestDirection ? kSmallestDirection : size;
-    const float inverse = static_cast<float>(1.0 / (negative ? -clamped : clamped));
-    const double relative = o[axis] - view.center[axis];
-    const float above = FloatAbove(relative), below = FloatBelow(relative);
-    s->near_origin[axis] = SetF(negative ? below : above);
-    s->far_origin[axis] = SetF(negative ? above : below);
-    s->inverse[axis] = SetF(inverse);
-    s->far_inverse[axis] = SetF(inverse * kSlack);
-    s->near_plane[axis] = negative ? 3 + axis : axis;
-    s->far_plane[axis] = negative ? axis : 3 + axis;
-  }
-  s->least = SetF(FloatBelow(ray.min_distance) * (2 - kSlack));
-  w->least = ray.min_distance;
-  w->sure = __builtin_fabs(squared - 1) < kUnitTolerance ? kSureDistance : -1;
+  // Origin, direction, least distance and time, as they lie in Ray and in RayWork.
+  static_assert(__builtin_offsetof(Ray, time) == 7 * sizeof(double));
+  static_assert(__builtin_offsetof(RayWork, time) == 7 * sizeof(double));
+  const D8 all = LoadD(&ray.origin.x);
+  Store(all, w->o);
+  w->sure = kSureDistance;
+  const double squared = w->d[0] * w->d[0] + w->d[1] * w->d[1] + w->d[2] * w->d[2];
+  if (!(__builtin_fabs(squared - 1) < kUnitTolerance)) w->sure = -1;
   w->ray = &ray;
+  const F8 relative = Rounded(all - LoadD(view.center));
+  const F8 margin = Size(relative) * SetF(1.2e-7f);
+  const F8 inverse = Rounded(SetD(1) / Max(SetD(kSmallestDirection), Max(all, SetD(0) - all)));
+  alignas(32) float above[8], below[8], inverses[8];
+  Store(relative + margin, above);
+  Store(relative - margin, below);
+  Store(inverse, inverses);
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool negative = __builtin_signbit(w->d[axis]);
+    s->near_origin[axis] = negative ? below[axis] : above[axis];
+    s->far_origin[axis] = negative ? above[axis] : below[axis];
+    s->inverse[axis] = negative ? -inverses[3 + axis] : inverses[3 + axis];
+    const auto low = static_cast<uint32_t>(axis) * kPlaneBytes, high = low + 3 * kPlaneBytes;
+    s->near_plane[axis] = negative ? high : low;
+    s->far_plane[axis] = negative ? low : high;
+  }
+  s->least = FloatBelow(ray.min_distance) * (2 - kSlack);
 }
 
-// The children that the ray meets not farther away than `most` (in single precision, with slack);
-// *entry: where.
-RAYSHADE_KERNEL uint32_t MeetChildren(const Node& node, const SlabRay& s, float most, F8* entry) {
-  F8 near = s.least, far = SetF(most);
+// Where the ray enters and leaves the children; those that it does not meet, or farther away than
+// `most` (in single precision, with slack), it leaves before it enters.
+RAYSHADE_KERNEL void MeetChildren(const Node& node, const SlabRay& s, float most, F8* entry,
+                                  F8* end) {
+  F8 near = SetF(s.least), far = SetF(__builtin_inff());
+  const auto plane = [&](uint32_t bytes) {
+    return LoadF(reinterpret_cast<const float*>(reinterpret_cast<const char*>(&node) + bytes));
+  };
   for (int axis = 0; axis < 3; ++axis) {
-    near =
-        Max((LoadF(node.plane[s.near_plane[axis]]) - s.near_origin[axis]) * s.inverse[axis], near);
-    far =
-        Min((LoadF(node.plane[s.far_plane[axis]]) - s.far_origin[axis]) * s.far_inverse[axis], far);
+    const F8 inverse = SetF(s.inverse[axis]);
+    near = Max((plane(s.near_plane[axis]) - SetF(s.near_origin[axis])) * inverse, near);
+    far = Min((plane(s.far_plane[axis]) - SetF(s.far_origin[axis])) * inverse, far);
   }
   *entry = near;
-  return LessEqual(near, far);
+  *end = Min(far * SetF(kSlack), SetF(most));
 }
 
 RAYSHADE_KERNEL float Loosened(double distance) { return FloatAbove(distance) * kSlack; }
@@ -204,7 +211,6 @@ RAYSHADE_KERNEL bool OtherBlocks(const TraceView& view, const Ray& ray, uint32_t
 RAYSHADE_KERNEL bool LeafBlocks(const TraceView& view, const RayWork& w, uint64_t branch,
                                 double limit, uint8_t* crossed, Counters* counters) {
   const uint32_t first = ChildOf(branch), count = CountOf(branch);
-  CountTests(view, branch, 1, counters);
   if (KindOf(branch) == kSphereLeaf) {
     if (!SpheresBlock(view, w, first, static_cast<int>(count), limit, crossed)) return false;
     CountHit(view, first, counters);
@@ -221,93 +227,7 @@ RAYSHADE_KERNEL bool LeafBlocks(const TraceView& view, const RayWork& w, uint64_
   return false;
 }
 
-// What is still to be visited; room for eight more than can be needed, since pushing stores eight.
-struct Stack {
-  uint64_t branch[kStackSize + 8];
-  float entry[kStackSize + 8];
-};
-
 // The distance before which hits of strict kinds must lie: the limit, where the hit is none yet.
 RAYSHADE_KERNEL double StrictLimit(const Hit& hit) {
   return hit.rank == kNoRank ? hit.distance : __builtin_inf();
-}
-
-RAYSHADE_ROUTINE void NearestOfOne(const TraceView& view, const Ray& ray, double strict_limit,
-                                   Hit* hit, Counters* counters) {
-  RayWork w;
-  SlabRay s;
-  SetUp(view, ray, &w, &s);
-  w.strict_limit = strict_limit;
-  for (uint32_t i = 0; i < view.unbounded_count; ++i) {
-    view.callbacks.nearest_other(view.set, ray, view.unbounded[i], w.strict_limit, hit);
-    CountTest(view, view.unbounded[i], 1, counters);
-  }
-  if (view.node_count == 0) return;
-  Stack stack;
-  uint32_t top = 0;
-  uint64_t branch = MakeBranch(kInnerNode, 0, 0);
-  float most = Loosened(hit->distance);
-  for (;;) {
-    if (KindOf(branch) == kInnerNode) {
-      ++counters->nodes;
-      const Node& node = view.nodes[ChildOf(branch)];
-      F8 entries;
-      uint32_t bits = MeetChildren(node, s, most, &entries);
-      if (bits != 0) {
-        // The nearest child is next, the others wait.
-        const F8 met = Choose(bits, entries, SetF(__builtin_inff()));
-        const uint32_t nearest = LessEqual(met, SetF(Least(met)));
-        // None is the nearest where the ray's direction is no number.
-        const uint32_t i = static_cast<uint32_t>(__builtin_ctz(nearest != 0 ? nearest : bits));
-        branch = node.branch[i];
-        bits &= ~(1u << i);
-        Compress(bits, entries, stack.entry + top);
-        Compress(bits, node.branch, stack.branch + top);
-        top += static_cast<uint32_t>(__builtin_popcount(bits));
-        continue;
-      }
-    } else {
-      CountTests(view, branch, 1, counters);
-      NearestInLeaf(view, w, branch, hit);
-      most = Loosened(hit->distance);
-    }
-    do {
-      if (top == 0) return;
-      --top;
-    } while (stack.entry[top] > most);
-    branch = stack.branch[top];
-  }
-}
-
-RAYSHADE_ROUTINE bool OneIsBlocked(const TraceView& view, const Ray& ray, double limit,
-                                   uint8_t* crossed, Counters* counters) {
-  for (uint32_t i = 0; i < view.unbounded_count; ++i) {
-    CountTest(view, view.unbounded[i], 1, counters);
-    if (!OtherBlocks(view, ray, view.unbounded[i], limit, crossed)) continue;
-    CountHit(view, view.unbounded[i], counters);
-    return true;
-  }
-  if (view.node_count == 0) return false;
-  RayWork w;
-  SlabRay s;
-  SetUp(view, ray, &w, &s);
-  w.strict_limit = limit;
-  const float most = Loosened(limit);
-  uint64_t stack[kStackSize + 8];
-  uint32_t top = 0;
-  stack[top++] = MakeBranch(kInnerNode, 0, 0);
-  while (top != 0) {
-    const uint64_t branch = stack[--top];
-    if (KindOf(branch) != kInnerNode) {
-      if (LeafBlocks(view, w, branch, limit, crossed, counters)) return true;
-      continue;
-    }
-    ++counters->nodes;
-    const Node& node = view.nodes[ChildOf(branch)];
-    F8 entries;
-    const uint32_t bits = MeetChildren(node, s, most, &entries);
-    Compress(bits, node.branch, stack + top);
-    top += static_cast<uint32_t>(__builtin_popcount(bits));
-  }
-  return false;
 }

@@ -4,6 +4,7 @@
 // clang-format off
 #include "rayshade/accel/quads.inl"
 #include "rayshade/accel/single_rays.inl"
+#include "rayshade/accel/walkers.inl"
 #include "rayshade/accel/pyramid.inl"
 #include "rayshade/accel/boxes.inl"
 #include "rayshade/accel/seen_quads.inl"
@@ -28,17 +29,12 @@ RAYSHADE_KERNEL void AddTo(OpCounts* counts, Counters counters) {
 }
 
 // Rays come in an order that has neighbours together: up to 64 at a time are taken for a bundle if
-// they are coherent, else eight at a time, else one by one.
+// they are coherent, else eight at a time; those that are not are traced one by one in the end.
 void Nearest(const TraceView& view, const Ray* rays, Hit* hits, uint32_t count, OpCounts* counts) {
   Counters counters;
-  for (uint32_t i = 0; i < count; i += kBundleSize) {
-    const uint32_t size = count - i < kBundleSize ? count - i : kBundleSize;
-    uint32_t before[kBundleSize];
-    for (uint32_t k = 0; k < size; ++k) before[k] = hits[i + k].rank;
-    NearestOfSome(view, rays + i, hits + i, size, &counters);
-    for (uint32_t k = 0; k < size; ++k) {
-      if (hits[i + k].rank != before[k]) CountHit(view, hits[i + k].object, &counters);
-    }
+  for (uint32_t i = 0; i < count; i += kLoneMost) {
+    const uint32_t size = count - i < kLoneMost ? count - i : kLoneMost;
+    NearestOfMany(view, rays + i, hits + i, size, &counters);
   }
   AddTo(counts, counters);
 }
@@ -46,19 +42,23 @@ void Nearest(const TraceView& view, const Ray* rays, Hit* hits, uint32_t count, 
 void Block(const TraceView& view, const Ray* rays, const double* limits, uint8_t* blocked,
            uint8_t* crossed, uint32_t count, OpCounts* counts) {
   Counters counters;
-  for (uint32_t i = 0; i < count; i += kBundleSize) {
-    const uint32_t size = count - i < kBundleSize ? count - i : kBundleSize;
-    BlockSome(view, rays + i, limits + i, {blocked + i, crossed == nullptr ? nullptr : crossed + i},
-              size, &counters);
+  const Fate fate = {blocked, crossed};
+  for (uint32_t i = 0; i < count; i += kLoneMost) {
+    const uint32_t size = count - i < kLoneMost ? count - i : kLoneMost;
+    BlockMany(view, rays + i, limits + i, FateFrom(fate, i), size, &counters);
   }
   AddTo(counts, counters);
 }
 
 void BlockRows(const TraceView& view, const ShadowRows& rows, OpCounts* counts) {
   Counters counters;
+  LoneRays lone;
   for (uint32_t i = 0; i < rows.count; i += kBundleSize) {
     const uint32_t size = rows.count - i < kBundleSize ? rows.count - i : kBundleSize;
-    BlockRowsOfBundle(view, rows, i, size, &counters);
+    BlockRowsOfBundle(view, rows, i, size, &lone, &counters);
+    if (lone.count <= kLoneMost - kBundleSize && i + size < rows.count) continue;
+    BlockLoneOfRows(view, rows, lone, &counters);
+    lone.count = 0;
   }
   AddTo(counts, counters);
 }

@@ -86,7 +86,7 @@ struct TraceView {
   const ObjectSet* owner = nullptr;  // for the hits
   const Node* nodes = nullptr;
   uint32_t node_count = 0;
-  double center[3] = {0, 0, 0};
+  double center[8] = {0, 0, 0};  // x, y, z, and what a kernel may load behind them
   const double* spheres = nullptr;
   uint32_t sphere_count = 0;
   const FlatObjects* flat = nullptr;

@@ -150,6 +150,14 @@ Ray Camera::PrimaryRay(const Sample& sample) const {
   return ray;
 }
 
+Vector Camera::Project(const Vector& point) const {
+  const Vector to = point - eye_;
+  const double depth = Dot(to, direction_) / distance_;
+  const double x = (Dot(to, right_) / depth - Dot(corner_, right_)) / Dot(step_x_, right_);
+  const double y = (Dot(to, up_) / depth - Dot(corner_, up_)) / Dot(step_y_, up_);
+  return {x - window_.minx, y - window_.miny, depth};
+}
+
 std::string CheckView(const Settings& s) {
   if (s.stereo != StereoEye::kNone && !s.eye_separation) {
     return "No eye separation specified for stereo rendering.";

@@ -35,6 +35,10 @@ class Camera {
   Camera(const Settings& settings, int frame);
 
   Ray PrimaryRay(const Sample& sample) const;
+  // Where a point of the world is seen through the middle of the lens: x and y in pixels of the
+  // window, z its depth in distances from the eye to the point looked at; not in front where z <=
+  // 0, then x and y mean nothing.
+  Vector Project(const Vector& point) const;
   // The sub-cell that the single sample of a pixel falls into.
   uint16_t SingleSubCell(int x, int y) const;
   const PictureWindow& window() const { return window_; }

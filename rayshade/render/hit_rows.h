@@ -1,8 +1,6 @@
-// The hits of a level in rows (accel/trace_view.h), for lights that shine from one point: such a
-// light is done for eight hits at a time. Hits that it may do something unusual to go the general
-// way (sequential_tracer.cc), with the same results to the bit.
-//
-//   1. Rows are filled up to groups of eight with the last hit.
+// The hits of a level in rows, with what they gather: a light that shines from one point is added
+// up for eight hits at a time. Hits that it may do something unusual to go the general way
+// (sequential_tracer.cc), with the same results to the bit.
 #pragma once
 
 #include <cstdint>
@@ -10,27 +8,20 @@
 #include <vector>
 
 #include "rayshade/render/sequential_tracer.h"
+#include "rayshade/shade/point_light_rows.h"
 
 namespace rayshade {
 
-inline constexpr size_t kHitRowsSize = 512;
-
-class HitRows {
+class HitRows : public PointLightRows {
  public:
   // Takes the hits of rays[owners[s]]; colors: what they gather, ambient light so far. All must
   // outlive the lights.
   void Set(const Scene& scene, std::span<const Ray> rays, std::span<const SurfaceHit> surfaces,
            std::span<const uint32_t> owners, std::span<Color> colors);
 
-  // Whether a light can be done by rows at all.
-  static bool Suits(const Scene& scene, const Light& light);
-  // Does what it can of a light; the hits that are left have done[s] 0. REQUIRES: Suits.
-  void Illuminate(const Light& light, const ObjectSet& objects, ShadowTracer* shadows,
-                  OpCounts* counts);
-  // No hit is done.
-  void SkipLight();
-  bool done(size_t s) const { return by_row_[s] != 0; }
-  bool all_done() const { return done_ == surfaces_.size(); }
+  // Does what it can of a light; the hits that are left are not done(). REQUIRES: Suit.
+  void Illuminate(const Scene& scene, const ObjectSet& objects, const Light& light,
+                  ShadowTracer* shadows, OpCounts* counts);
 
   // For the hits that are left.
   void Add(size_t s, const LightSample& sample, const Color& arrived);
@@ -38,23 +29,9 @@ class HitRows {
   void Finish();
 
  private:
-  void Aim(const Vector& position, const ObjectSet& objects, OpCounts* counts);
-  void Trace(const Vector& position, const ObjectSet& objects, OpCounts* counts);
-  void AddByRows(const Light& light, const ObjectSet& objects, ShadowTracer* shadows,
-                 OpCounts* counts);
+  void AddThroughTransparent(const Light& light, ShadowTracer* shadows, OpCounts* counts);
 
-  alignas(64) double point_[3][kHitRowsSize];
-  alignas(64) double normal_[3][kHitRowsSize], face_[3][kHitRowsSize];
-  alignas(64) double diffuse_[3][kHitRowsSize], sum_[3][kHitRowsSize];
-  alignas(64) double slack_[kHitRowsSize];  // infinite where the general way is the only one
-  alignas(64) double toward_[3][kHitRowsSize];
-  alignas(64) double distance_[kHitRowsSize], cosine_[kHitRowsSize], time_[kHitRowsSize];
-  uint8_t by_row_[kHitRowsSize];
-  uint8_t blocked_[kHitRowsSize];  // or not lit by the light
-  uint8_t crossed_[kHitRowsSize];  // something transparent may be in the way
-  double reach_ = 0;               // of the points
-  size_t done_ = 0, traced_ = 0;   // of the light at hand
-  bool transparent_ = false;
+  alignas(64) double diffuse_[3][kMost], sum_[3][kMost];
   std::vector<uint32_t> shiny_;  // hits that have highlights
 
   std::span<const Ray> rays_;

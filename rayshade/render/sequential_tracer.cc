@@ -13,7 +13,7 @@ namespace rayshade {
 namespace {
 
 // What is in work at a time should stay in the processor's second cache.
-constexpr size_t kBundleSize = kHitRowsSize;
+constexpr size_t kBundleSize = HitRows::kMost;
 
 // Puts the rays of `from` behind those of *to, with their media; `from` is used up.
 void AppendBundle(RayBundle&& from, RayBundle* to) {
@@ -167,10 +167,10 @@ void SequentialTracer::Impl::Illuminate(std::span<const Ray> rays, size_t count,
             {level->colors.data(), count});
   for (uint32_t light = 0; light < scene.lights.size(); ++light) {
     const Light& source = *scene.lights[light];
-    if (HitRows::Suits(scene, source)) {
-      rows->Illuminate(source, objects, &shadow_tracer, counts);
+    if (HitRows::Suit(scene, source)) {
+      rows->Illuminate(scene, objects, source, &shadow_tracer, counts);
     } else {
-      rows->SkipLight();
+      rows->Clear();
     }
     if (!rows->all_done()) IlluminateBy(light, rays, count, level, counts);
   }

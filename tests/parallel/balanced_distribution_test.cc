@@ -35,7 +35,7 @@ class Balanced : public testing::Test {
 
 TEST_F(Balanced, WhatIsInFrontIsPredictedToBeHit) {
   const CellTree tree = BuildTree(SmallCells(1), &spool_);
-  const std::vector<double> hits = PredictHits(*camera_, tree, &spool_);
+  const std::vector<double> hits = PredictHits(*camera_, tree, &spool_).by_cell;
   EXPECT_LE(std::accumulate(hits.begin(), hits.end(), 0.0), 1);
   const std::vector<Bounds> boxes = tree.Boxes();
   double near = 0, far = 0;
@@ -47,10 +47,22 @@ TEST_F(Balanced, WhatIsInFrontIsPredictedToBeHit) {
   EXPECT_GT(near, 5 * far) << "the ball in the middle hides the far side";
 }
 
+TEST_F(Balanced, OwnersAreExpectedWhereTheyAre) {
+  const CellTree tree = BuildTree(SmallCells(1), &spool_);
+  const PredictedHits hits = PredictHits(*camera_, tree, &spool_);
+  const TestPicture picture = RenderSequentially(Balls(3, 64));
+  int wrong = 0;
+  for (int i = 0; i < hits.across * hits.across; ++i) {
+    const int x = i % hits.across * 64 / hits.across, y = i / hits.across * 64 / hits.across;
+    wrong += (hits.cells[i] != kNoCell) != (picture.picture.at(x, y).alpha > 0);
+  }
+  EXPECT_LT(wrong, hits.across * hits.across / 1000) << "balls are the ellipsoids in their boxes";
+}
+
 TEST_F(Balanced, EachProcessGetsItsPartOfTheWeight) {
   for (int processes : {1, 2, 3, 7, 24}) {
     CellTree tree = BuildTree(SmallCells(processes), &spool_);
-    const auto work = WorkByCell(PredictHits(*camera_, tree, &spool_), tree);
+    const auto work = WorkByCell(PredictHits(*camera_, tree, &spool_).by_cell, tree);
     ShareOut(work, processes, &tree);
     std::vector<double> shares(processes);
     for (CellId c = 0; c < tree.size(); ++c) shares.at(tree.cell(c).owner - 1u) += work[c];

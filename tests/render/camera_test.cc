@@ -44,6 +44,24 @@ TEST(Camera, ShootsThroughTheLowCornerOfAPixel) {
   EXPECT_EQ(ray.origin, (Vector{0, -10, 0}));
 }
 
+TEST(Camera, SeesAPointWhereItsRayGoes) {
+  Settings settings = Small(40, 30);
+  settings.eye = {3, -8, 2};
+  settings.look = {1, 0, .5};
+  settings.window = Window{5, 30, 4, 28};
+  const Camera camera(settings, 0);
+  for (const Sample& sample : {Sample{0, 0, 0, true}, Sample{25, 3, 0, true}, {7, 24, 0, true}}) {
+    const Ray ray = camera.PrimaryRay(sample);
+    const double half = .5 * settings.filter_width_used();  // a ray is half a pixel off
+    const Vector at = camera.Project(ray.origin + 3.5 * ray.direction);
+    EXPECT_NEAR(at.x, sample.x - half, 1e-9);
+    EXPECT_NEAR(at.y, sample.y - half, 1e-9);
+    EXPECT_GT(at.z, 0);
+    EXPECT_LT(camera.Project(ray.origin - 3.5 * ray.direction).z, 0);
+  }
+  EXPECT_NEAR(camera.Project(settings.look).z, 1, 1e-12);
+}
+
 TEST(Camera, CroppingDoesNotChangeTheRaysThatAreKept) {
   Settings whole = Small(20, 20), cropped = Small(20, 20);
   whole.jitter = cropped.jitter = true;

@@ -1,0 +1,48 @@
+// Which process is expected to own what a primary ray hits: the owner of the cell that is predicted
+// for its square of the picture (balanced_distribution.h).
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "parallel/balanced_distribution.h"
+#include "parallel/cell_tree.h"
+#include "rayshade/render/camera.h"
+
+namespace rayshade::parallel {
+
+class ExpectedOwners {
+ public:
+  ExpectedOwners() = default;  // nothing is known
+  ExpectedOwners(const PredictedHits& hits, const CellTree& tree, const PictureWindow& window)
+      : across_(hits.across), width_(window.width()), height_(window.height()) {
+    for (const CellId c : hits.cells) {
+      owners_.push_back(c == kNoCell ? kHost : tree.cell(c).owner);
+      processes_ = std::max(processes_, owners_.back());
+    }
+  }
+
+  bool empty() const { return owners_.empty(); }
+
+  // The owner of most hits; kHost: none is expected.
+  ProcessId OwnerOf(const std::vector<Sample>& samples) const {
+    std::vector<size_t> votes(processes_ + size_t{1});
+    for (const Sample& s : samples) ++votes[owners_[Square(s)]];
+    const auto most = std::max_element(votes.begin() + 1, votes.end());
+    return *most == 0 ? kHost : static_cast<ProcessId>(most - votes.begin());
+  }
+
+ private:
+  size_t Square(const Sample& s) const {
+    const int x = std::min(across_ - 1, s.x * across_ / width_);
+    const int y =
+        std::min(across_ - 1, s.y * across_ / height_);  // there is a row below the picture
+    return size_t(y) * across_ + x;
+  }
+
+  int across_ = 0, width_ = 1, height_ = 1;
+  ProcessId processes_ = 0;
+  std::vector<ProcessId> owners_;  // by square
+};
+
+}  // namespace rayshade::parallel

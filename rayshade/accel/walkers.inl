@@ -1,0 +1,283 @@
+// Single rays through the hierarchy, many in turn; part of trace.inl. While a ray's next node or
+// leaf is on its way from memory, the others are at work. What a ray does next cannot be foreseen:
+// it is put on the list of those that do the same, instead of being branched on.
+//
+//   1. The lowest frame of a stack holds the bottom; the others hold children that were met and
+//   have not been visited, at least one each.
+//   2. In a sorted walk all of these are entered not beyond `most`.
+
+constexpr uint32_t kWalkers = 16;
+constexpr int kAtBottom = kOtherLeaf + 1;
+constexpr uint64_t kBottom = uint64_t{kAtBottom} << kKindShift;
+constexpr uint64_t kBottomBranch[] = {kBottom};
+
+// Children of a node that wait.
+struct alignas(64) Frame {
+  float entry[kNodeWidth];  // in a sorted walk
+  const uint64_t* branch;   // of the node
+  uint32_t waiting;         // bits
+};
+
+// One ray in work.
+struct Walker {
+  SlabRay slab;
+  float most;     // distance beyond which nothing matters, loosened
+  uint32_t top;   // frames
+  uint64_t next;  // what is to be visited now
+  uint32_t index;
+  RayWork work;
+  Hit hit;
+  Ray own;  // where it is not the caller's
+  Frame frames[kDepthMax + 2];
+};
+
+RAYSHADE_KERNEL void PutAtRoot(double limit, Walker* w) {
+  w->most = Loosened(limit);
+  w->next = MakeBranch(kInnerNode, 0, 0);
+  w->frames[0].branch = kBottomBranch;
+  w->frames[0].waiting = 1;
+  w->top = 1;
+}
+
+// Takes what is visited next off the frame, and the frame off the stack if it was the last.
+RAYSHADE_KERNEL void Take(uint32_t frame, uint32_t lane, Walker* w) {
+  Frame& f = w->frames[frame];
+  const uint32_t waiting = f.waiting & ~(1u << lane);
+  f.waiting = waiting;
+  w->next = f.branch[lane];
+  w->top = frame + (waiting != 0);
+}
+
+RAYSHADE_KERNEL void Pop(Walker* w) {
+  const uint32_t frame = w->top - 1;
+  Take(frame, static_cast<uint32_t>(__builtin_ctz(w->frames[frame].waiting)), w);
+}
+
+// Visits a node. Next is the nearest of the children that the ray meets (any one, where the walk is
+// not sorted), or if there is none, what waits on the stack.
+RAYSHADE_KERNEL void Descend(const TraceView& view, bool sorted, Walker* w) {
+  const Node& node = view.nodes[ChildOf(w->next)];
+  F8 entry, end;
+  MeetChildren(node, w->slab, w->most, &entry, &end);
+  const uint32_t met = LessEqual(entry, end);
+  Frame& f = w->frames[w->top];
+  if (sorted) Store(entry, f.entry);
+  f.branch = node.branch;
+  f.waiting = met;
+  const uint32_t none = met == 0, frame = w->top - none;
+  uint32_t lane = static_cast<uint32_t>(__builtin_ctz(w->frames[frame].waiting));
+  // By bits, or the compiler makes it a branch.
+  if (sorted) lane = (lane & (0 - none)) | (LaneOfLeast(entry, end) & (none - 1));
+  Take(frame, lane, w);
+}
+
+// Takes what is entered beyond `most` off the stack.
+RAYSHADE_KERNEL void Prune(Walker* w) {
+  const F8 most = SetF(w->most);
+  uint32_t kept = 1;
+  for (uint32_t i = 1; i < w->top; ++i) {
+    const Frame& f = w->frames[i];
+    const F8 entry = LoadF(f.entry);
+    Frame& to = w->frames[kept];
+    const uint32_t waiting = f.waiting & LessEqual(entry, most);
+    Store(entry, to.entry);
+    to.branch = f.branch;
+    to.waiting = waiting;
+    kept += waiting != 0;
+  }
+  w->top = kept;
+}
+
+// Walkers by the kind of what they visit next, and where that lies.
+constexpr int kKinds = kAtBottom + 1;
+struct Lists {
+  Walker* of[kKinds][kWalkers];
+  uint32_t count[kKinds] = {};
+  const char* base[kKinds];
+  size_t stride[kKinds] = {};
+};
+
+RAYSHADE_KERNEL void SetPlaces(const TraceView& view, Lists* lists) {
+  for (const char*& base : lists->base) base = reinterpret_cast<const char*>(view.nodes);
+  lists->stride[kInnerNode] = sizeof(Node);
+  if (view.sphere_count > 0) {
+    lists->base[kSphereLeaf] = reinterpret_cast<const char*>(view.spheres);
+    lists->stride[kSphereLeaf] = 4 * sizeof(double);
+  }
+}
+
+RAYSHADE_KERNEL void Enlist(Walker* w, Lists* lists) {
+  const LeafKind kind = KindOf(w->next);
+  lists->of[kind][lists->count[kind]++] = w;
+  const char* const place = lists->base[kind] + ChildOf(w->next) * lists->stride[kind];
+  for (int line = 0; line < 4; ++line) __builtin_prefetch(place + 64 * line);
+}
+
+// Start(job, k, walker) prepares the ray number k, and is false where there is nothing to walk for;
+// AtLeaf(job, walker) is false where the ray is done; End(job, walker) takes the result.
+template <class Job>
+RAYSHADE_KERNEL void Walk(const TraceView& view, const Job& job, uint32_t count,
+                          Counters* counters) {
+  Walker walkers[kWalkers];
+  Lists lists;
+  SetPlaces(view, &lists);
+  const uint32_t used = count < kWalkers ? count : kWalkers;
+  for (uint32_t i = 0; i < used; ++i) lists.of[kAtBottom][i] = walkers + i;
+  uint32_t ended = used, begun = 0, at_work = used;
+  for (;;) {
+    // New rays in place of those that ended.
+    at_work -= ended;
+    for (uint32_t i = 0; i < ended; ++i) {
+      Walker* const w = lists.of[kAtBottom][i];
+      while (begun < count) {
+        if (!Start(job, begun++, w)) continue;
+        Enlist(w, &lists);
+        ++at_work;
+        break;
+      }
+    }
+    if (at_work == 0) return;
+    // Lists are written again while they are read.
+    const uint32_t at_nodes = lists.count[kInnerNode];
+    counters->nodes += at_nodes;
+    lists.count[kInnerNode] = 0;
+    for (uint32_t i = 0; i < at_nodes; ++i) {
+      Walker* const w = lists.of[kInnerNode][i];
+      Descend(view, Job::kSorted, w);
+      Enlist(w, &lists);
+    }
+    for (int kind = kEmptySlot; kind <= kOtherLeaf; ++kind) {
+      if (kind == kInnerNode) continue;
+      const uint32_t at_leaves = lists.count[kind];
+      lists.count[kind] = 0;
+      for (uint32_t i = 0; i < at_leaves; ++i) {
+        Walker* const w = lists.of[kind][i];
+        CountTests(view, w->next, 1, counters);
+        if (AtLeaf(job, w)) {
+          Pop(w);
+        } else {
+          w->next = kBottom;
+        }
+        Enlist(w, &lists);
+      }
+    }
+    ended = lists.count[kAtBottom];
+    lists.count[kAtBottom] = 0;
+    for (uint32_t i = 0; i < ended; ++i) End(job, lists.of[kAtBottom][i]);
+  }
+}
+
+// A ray of an array that is traced by itself. limit: that of hits of strict kinds, or of all.
+struct LoneRay {
+  uint32_t index;
+  double limit;
+};
+
+constexpr uint32_t kLoneMost = 512;
+struct LoneRays {
+  LoneRay rays[kLoneMost];
+  uint32_t count = 0;
+
+  void Append(uint32_t index, double limit) { rays[count++] = {index, limit}; }
+};
+
+// Improves the rays' hits.
+struct NearestJob {
+  static constexpr bool kSorted = true;
+  const TraceView& view;
+  const Ray* rays;
+  Hit* hits;
+  const LoneRay* lone;
+  Counters* counters;
+};
+
+RAYSHADE_KERNEL void End(const NearestJob& job, Walker* w) {
+  Hit& hit = job.hits[w->index];
+  if (w->hit.rank == hit.rank) return;
+  hit = w->hit;
+  hit.set = job.view.owner;
+}
+RAYSHADE_KERNEL bool Start(const NearestJob& job, uint32_t k, Walker* w) {
+  const TraceView& view = job.view;
+  const Ray& ray = job.rays[job.lone[k].index];
+  w->index = job.lone[k].index;
+  w->hit = job.hits[w->index];
+  SetUp(view, ray, &w->work, &w->slab);
+  w->work.strict_limit = job.lone[k].limit;
+  for (uint32_t i = 0; i < view.unbounded_count; ++i) {
+    view.callbacks.nearest_other(view.set, ray, view.unbounded[i], job.lone[k].limit, &w->hit);
+    CountTest(view, view.unbounded[i], 1, job.counters);
+  }
+  PutAtRoot(w->hit.distance, w);
+  if (view.node_count == 0) End(job, w);
+  return view.node_count > 0;
+}
+RAYSHADE_KERNEL bool AtLeaf(const NearestJob& job, Walker* w) {
+  const double before = w->hit.distance;
+  NearestInLeaf(job.view, w->work, w->next, &w->hit);
+  if (w->hit.distance == before) return true;
+  w->most = Loosened(w->hit.distance);
+  Prune(w);
+  return true;
+}
+
+RAYSHADE_ROUTINE void NearestOfLone(const TraceView& view, const Ray* rays, Hit* hits,
+                                    const LoneRay* lone, uint32_t count, Counters* counters) {
+  Walk(view, NearestJob{view, rays, hits, lone, counters}, count, counters);
+}
+
+// What becomes of shadow rays; see ObjectSet::Block. crossed may be null.
+struct Fate {
+  uint8_t *blocked, *crossed;
+};
+
+// Shadow rays. LoadLone(source, index, walker) returns the ray, which may be the walker's own.
+template <class Source>
+struct BlockJob {
+  static constexpr bool kSorted = false;
+  const TraceView& view;
+  const Source& source;
+  const LoneRay* lone;
+  Fate fate;
+  Counters* counters;
+};
+
+template <class Source>
+RAYSHADE_KERNEL bool Start(const BlockJob<Source>& job, uint32_t k, Walker* w) {
+  const TraceView& view = job.view;
+  const auto [index, limit] = job.lone[k];
+  const Ray& ray = LoadLone(job.source, index, w);
+  w->index = index;
+  uint8_t crossed = 0;
+  for (uint32_t i = 0; i < view.unbounded_count; ++i) {
+    CountTest(view, view.unbounded[i], 1, job.counters);
+    if (!OtherBlocks(view, ray, view.unbounded[i], limit, &crossed)) continue;
+    CountHit(view, view.unbounded[i], job.counters);
+    job.fate.blocked[index] = 1;
+    return false;
+  }
+  if (crossed && job.fate.crossed != nullptr) job.fate.crossed[index] = 1;
+  SetUp(view, ray, &w->work, &w->slab);
+  w->work.strict_limit = limit;
+  PutAtRoot(limit, w);
+  return view.node_count > 0;
+}
+template <class Source>
+RAYSHADE_KERNEL bool AtLeaf(const BlockJob<Source>& job, Walker* w) {
+  uint8_t crossed = 0;
+  const bool blocks =
+      LeafBlocks(job.view, w->work, w->next, w->work.strict_limit, &crossed, job.counters);
+  if (crossed && job.fate.crossed != nullptr) job.fate.crossed[w->index] = 1;
+  if (blocks) job.fate.blocked[w->index] = 1;
+  return !blocks;
+}
+template <class Source>
+RAYSHADE_KERNEL void End(const BlockJob<Source>&, Walker*) {}
+
+RAYSHADE_KERNEL const Ray& LoadLone(const Ray* rays, uint32_t index, Walker*) {
+  return rays[index];
+}
+RAYSHADE_ROUTINE void BlockLone(const TraceView& view, const Ray* rays, const LoneRay* lone,
+                                uint32_t count, const Fate& fate, Counters* counters) {
+  Walk(view, BlockJob<const Ray*>{view, rays, lone, fate, counters}, count, counters);
+}

@@ -1,0 +1,105 @@
+// Rows of hits; see point_light_rows.h.
+#include "rayshade/shade/point_light_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "rayshade/common/check.h"
+
+namespace rayshade {
+
+bool PointLightRows::Suit(const Scene& scene, const Light& light) {
+  const Settings& settings = scene.settings();
+  return light.position() != nullptr && settings.shadows && !light.noshadow() &&
+         light.intensity().r != 0 && settings.light_cutoff == 0 && settings.area_cells == 0;
+}
+
+void PointLightRows::Set(const Scene& scene, std::span<const Ray> rays,
+                         std::span<const SurfaceHit> surfaces, std::span<const uint32_t> owners) {
+  const bool clear = scene.spec.atmosphere.effects.empty();
+  reach_ = 0;
+  count_ = surfaces.size();
+  CHECK(count_ <= kMost);
+  const size_t end = (count_ + 7) / 8 * 8;
+  for (size_t s = 0; s < end; ++s) {
+    const size_t at = std::min(s, count_ - 1);
+    const SurfaceHit& hit = surfaces[at];
+    const Surface& surface = hit.surface();
+    for (int k = 0; k < 3; ++k) {
+      point_[k][s] = hit.point[k];
+      normal_[k][s] = hit.normal[k];
+      face_[k][s] = hit.face[k];
+      reach_ = std::max(reach_, std::abs(hit.point[k]));
+    }
+    const Ray& ray = rays[owners[at]];
+    time_[s] = ray.time;
+    // A light surely shows where something of its red does: SampleLight need not be asked.
+    const bool plain = !hit.smooth && surface.translucency < kEpsilon && !surface.noshadow &&
+                       clear && surface.diffuse.r != 0 && ray.contribution.r != 0;
+    slack_[s] = plain ? hit.slack : std::numeric_limits<double>::infinity();
+  }
+}
+
+void PointLightRows::Clear() {
+  std::fill_n(done_, count_, uint8_t{0});
+  done_count_ = 0;
+}
+
+// Where does the light stand, and which hits does it concern?
+void PointLightRows::Aim(const Vector& position, const ObjectSet& objects) {
+  const auto count = static_cast<uint32_t>(count_);
+  objects.Aim({{point_[0], point_[1], point_[2]},
+               {normal_[0], normal_[1], normal_[2]},
+               count,
+               {position.x, position.y, position.z},
+               {toward_[0], toward_[1], toward_[2]},
+               distance_,
+               cosine_});
+  objects.Sort({{toward_[0], toward_[1], toward_[2]},
+                cosine_,
+                {face_[0], face_[1], face_[2]},
+                slack_,
+                count,
+                done_,
+                blocked_});
+}
+
+void PointLightRows::Trace(const Scene& scene, const ObjectSet& objects, const Light& light,
+                           OpCounts* counts) {
+  const Vector& at = *light.position();
+  Aim(at, objects);
+  const auto count = [this](const uint8_t* flags, uint8_t value) {
+    return static_cast<size_t>(std::count(flags, flags + count_, value));
+  };
+  done_count_ = count(done_, 1);
+  const size_t traced = count(blocked_, 0);
+  counts->light_samples += done_count_;
+  counts->shadow_rays += traced;
+  std::fill_n(crossed_, count_, uint8_t{0});
+  if (traced == 0) return;
+  const double reach = std::max({reach_, std::abs(at.x), std::abs(at.y), std::abs(at.z)});
+  objects.Block({{point_[0], point_[1], point_[2]},
+                 {toward_[0], toward_[1], toward_[2]},
+                 distance_,
+                 time_,
+                 {at.x, at.y, at.z},
+                 reach,
+                 blocked_,
+                 scene.any_transparent ? crossed_ : nullptr,
+                 static_cast<uint32_t>(count_)},
+                counts);
+  counts->shadow_hits += count(blocked_, 1) - (count_ - traced);
+}
+
+LightSample PointLightRows::Sample(const Light& light, uint32_t number, size_t s) const {
+  LightSample sample;
+  sample.toward = {toward_[0][s], toward_[1][s], toward_[2][s]};
+  sample.cosine = cosine_[s];
+  sample.limit = distance_[s];
+  sample.color = light.intensity();
+  sample.light = number;
+  return sample;
+}
+
+}  // namespace rayshade

@@ -1,0 +1,61 @@
+// The hits of a bundle in rows (accel/trace_view.h), for lights that shine from one point: where
+// the light stands and what is in its way is found for eight hits at a time, without a ray for
+// each.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "rayshade/accel/object_set.h"
+#include "rayshade/common/op_counts.h"
+#include "rayshade/shade/shade.h"
+
+namespace rayshade {
+
+class PointLightRows {
+ public:
+  static constexpr size_t kMost = 512;  // hits
+
+  // Whether the rows can do a light as SampleLight would.
+  static bool Suit(const Scene& scene, const Light& light);
+
+  // The hits: hit s belongs to rays[owners[s]]. REQUIRES: at most kMost.
+  void Set(const Scene& scene, std::span<const Ray> rays, std::span<const SurfaceHit> surfaces,
+           std::span<const uint32_t> owners);
+  // One light for the hits of Set: samples it and traces the shadow rays of those that the rows can
+  // do, and counts all of this. REQUIRES: Suit(scene, light).
+  void Trace(const Scene& scene, const ObjectSet& objects, const Light& light, OpCounts* counts);
+  // No light: none of the hits is done.
+  void Clear();
+
+  // What Trace found for hit s. Not done: the hit goes the general way, through SampleLight.
+  bool done(size_t s) const { return done_[s] != 0; }
+  bool all_done() const { return done_count_ == count_; }
+  bool faces(size_t s) const { return cosine_[s] > 0; }  // else the light does not concern the hit
+  bool blocked(size_t s) const {
+    return blocked_[s] != 0;
+  }  // by an opaque object, or does not face
+  bool crossed(size_t s) const { return crossed_[s] != 0; }  // maybe by something transparent
+  // The light's sample of a hit that faces it; color: all that it sends.
+  LightSample Sample(const Light& light, uint32_t number, size_t s) const;
+
+ protected:
+  // Rows are filled up to groups of eight with the last hit.
+  size_t count_ = 0;
+  alignas(64) double toward_[3][kMost];
+  alignas(64) double distance_[kMost], cosine_[kMost];
+  uint8_t blocked_[kMost], crossed_[kMost];
+
+ private:
+  void Aim(const Vector& position, const ObjectSet& objects);
+
+  alignas(64) double point_[3][kMost];
+  alignas(64) double normal_[3][kMost], face_[3][kMost];
+  alignas(64) double slack_[kMost];  // infinite where the general way is the only one
+  alignas(64) double time_[kMost];
+  uint8_t done_[kMost];
+  size_t done_count_ = 0;
+  double reach_ = 0;  // of the points
+};
+
+}  // namespace rayshade

@@ -1,0 +1,97 @@
+// Which pyramid answers a request.
+#include "parallel/primary_feed.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <vector>
+
+#include "parallel/message.h"
+
+namespace rayshade::parallel {
+namespace {
+
+class Sent : public Outbox {
+ public:
+  void Send(ProcessId to, std::vector<uint8_t> bytes) override {
+    to_.push_back(to);
+    tokens_.push_back(Decode<PrimaryRays>(bytes).tokens);
+  }
+  std::vector<ProcessId> to_;
+  std::vector<std::vector<uint64_t>> tokens_;
+};
+
+// A picture of 8 x 8 pixels: on the left process 1 is expected to own what is hit, on the right
+// process 2, in the middle nothing is hit.
+class Pyramids : public testing::Test {
+ protected:
+  Pyramids() {
+    settings_.width = settings_.height = 8;
+    settings_.samples = 1;
+    settings_.jitter = false;
+    camera_ = std::make_unique<Camera>(settings_, 0);
+    sampling_ = std::make_unique<PixelSampling>(settings_, *camera_, true);
+    tree_.Cut(0, 0, .5);
+    tree_.cell(0).owner = 1;
+    tree_.cell(1).owner = 2;
+    hits_.across = 4;
+    for (int row = 0; row < 4; ++row) {
+      for (CellId c : {CellId{0}, kNoCell, kNoCell, CellId{1}}) hits_.cells.push_back(c);
+    }
+  }
+
+  // Answers one request after the other of the same process.
+  void Ask(PyramidFeed* feed, ProcessId process, int requests) {
+    for (int i = 0; i < requests; ++i) {
+      feed->OnRequest(process);
+      feed->HandOut(1000, sampling_.get(), &sent_);
+    }
+  }
+  int ColumnOf(size_t message) const { return SampleOf(sent_.tokens_.at(message).at(0)).x / 2; }
+
+  Settings settings_;
+  std::unique_ptr<Camera> camera_;
+  std::unique_ptr<PixelSampling> sampling_;
+  CellTree tree_{Bounds{{0, 0, 0}, {1, 1, 1}}};
+  PredictedHits hits_;
+  Sent sent_;
+};
+
+TEST_F(Pyramids, ComeInThePicturesOrderWhereNothingIsExpected) {
+  PyramidFeed feed(4, ExpectedOwners());
+  Ask(&feed, 2, 4);
+  for (size_t m = 0; m < 4; ++m) EXPECT_EQ(ColumnOf(m), int(m));
+}
+
+TEST_F(Pyramids, OfTheAskingProcessComeFirstThenVoidsThenThoseOfOthers) {
+  PyramidFeed feed(4, ExpectedOwners(hits_, tree_, camera_->window()));
+  Ask(&feed, 2, 100);
+  std::set<uint64_t> seen;
+  std::vector<int> columns;
+  for (size_t m = 0; m < sent_.tokens_.size(); ++m) {
+    EXPECT_EQ(sent_.to_[m], 2);
+    columns.push_back(ColumnOf(m));
+    seen.insert(sent_.tokens_[m].begin(), sent_.tokens_[m].end());
+  }
+  EXPECT_EQ(seen.size(), 8u * 9) << "every sample once, the row below the picture as well";
+  const size_t rows = 4;  // of pyramids; the row below adds some at the end
+  for (size_t m = 0; m < rows; ++m) EXPECT_EQ(columns.at(m), 3) << m;
+  EXPECT_NE(columns.at(rows + 1), 0);
+  EXPECT_EQ(columns.back(), 0);
+}
+
+TEST_F(Pyramids, AreNotLostWhenTwoProcessesAskInTurn) {
+  PyramidFeed feed(4, ExpectedOwners(hits_, tree_, camera_->window()));
+  for (int i = 0; i < 50; ++i) {
+    Ask(&feed, 1, 1);
+    Ask(&feed, 2, 1);
+  }
+  size_t samples = 0;
+  for (const auto& tokens : sent_.tokens_) samples += tokens.size();
+  EXPECT_EQ(samples, 8u * 9);
+  EXPECT_EQ(ColumnOf(0), 0);
+  EXPECT_EQ(ColumnOf(1), 3);
+}
+
+}  // namespace
+}  // namespace rayshade::parallel
