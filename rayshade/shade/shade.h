@@ -36,7 +36,7 @@ struct SurfaceHit {
   Vector geometric_normal;  // smooth, textured and transformed: still in primitive space
   double facing;            // k = -(I . N) of the ray's direction I; may be negative after textures
   Vector mirror;            // R = I + 2 k N, not normalised
-  Vector face;              // normal of the surface itself, world space
+  Vector face;              // normal of the surface itself, world space; zero where faces meet
   double slack;             // the point lies within this distance of the surface
   bool smooth;
   bool entering;
