@@ -140,11 +140,12 @@ inline RayResult Shade(const Scene& scene, const Ray& ray, bool in_air, double d
   Color color = lights;
   if (secondary.transmitted.wanted) color += Weighted(secondary.transmitted, transmitted);
   if (secondary.reflected.wanted) color += Weighted(secondary.reflected, reflected);
-  return {ThroughAir(scene, ray, in_air, distance, color), distance, true};
+  return {Bounded(ThroughAir(scene, ray, in_air, distance, color)), distance, true};
 }
 // The result of a ray that hits nothing: background and atmosphere.
 inline RayResult ShadeMiss(const Scene& scene, const Ray& ray, bool in_air) {
-  return {ThroughAir(scene, ray, in_air, kFar, scene.settings().background), kFar, false};
+  const Color& background = scene.settings().background;
+  return {Bounded(ThroughAir(scene, ray, in_air, kFar, background)), kFar, false};
 }
 
 }  // namespace rayshade
