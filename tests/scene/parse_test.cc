@@ -209,7 +209,7 @@ TEST(Parse, AnAtmosphereReplacesTheEffectsOfTheOneBefore) {
 
 TEST(Parse, OctavesThatNeverEndAreLimitedWithAWarning) {
   const auto expect = [](const std::string& texture, bool warned) {
-    const Reading r = ReadText("sphere 1 0 0 0 texture " + texture + "\n");
+    const Reading r = ReadText("sphere 1 0 0 0 texture " + texture);
     EXPECT_EQ(r.messages,
               warned ? "rs: Warning: stdin, line 1: Too many octaves; 4096 are computed.\n" : "");
   };
