@@ -34,6 +34,18 @@ class Box final : public Geom {
     return EntersSlabs(box_, ray.origin, ray.direction, min_distance);
   }
 
+  bool AtEdge(const Vector& point, const Transform* to_world, double slack) const override {
+    int near = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      Vector normal;
+      normal[axis] = 1;
+      const double reach = slack * (to_world == nullptr ? 1 : Length(to_world->Normal(normal)));
+      near += std::abs(point[axis] - box_.low[axis]) <= reach;
+      near += std::abs(point[axis] - box_.high[axis]) <= reach;
+    }
+    return near > 1;
+  }
+
  private:
   Vector NormalAt(const Vector& p) const {
     const Vector extent = box_.high - box_.low;

@@ -7,6 +7,7 @@ namespace {
 
 using Quad = __float128;
 
+constexpr Quad kNoise = 0x1.0p-104;
 // Products smaller than this may have lost digits to the end of double's range.
 constexpr double kSmallest = 1e-200;
 
@@ -35,6 +36,12 @@ struct EdgeSum {
   }
 };
 
+// Of a number that was added up from parts of this size in all.
+int SignOf(Quad sum, Quad size) {
+  const Quad noise = size * kNoise;
+  return sum > noise ? 1 : sum < -noise ? -1 : 0;
+}
+
 }  // namespace
 
 int EdgeSign(const Vector& origin, const Vector& direction, const Vector& a, const Vector& b) {
@@ -43,8 +50,22 @@ int EdgeSign(const Vector& origin, const Vector& direction, const Vector& a, con
   const double margin = rough.size * 0x1.0p-48;
   if (margin > kSmallest && Size(rough.sum) > margin) return rough.sum > 0 ? 1 : -1;
   const EdgeSum<Quad> fine(origin, direction, a, b);
-  const Quad noise = fine.size * Quad(0x1.0p-104);
-  return fine.sum > noise ? 1 : fine.sum < -noise ? -1 : 0;
+  return SignOf(fine.sum, fine.size);
+}
+
+int EdgeSignBeside(const Vector& origin, const Vector& direction, const Vector& a,
+                   const Vector& b) {
+  const int sign = EdgeSign(origin, direction, a, b);
+  if (sign != 0) return sign;
+  // Moved by -step, D . ((a - O) x (b - O)) grows by step . ((b - a) x D).
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    const Quad left = (Quad(b[j]) - Quad(a[j])) * Quad(direction[k]);
+    const Quad right = (Quad(b[k]) - Quad(a[k])) * Quad(direction[j]);
+    const int along = SignOf(left - right, Size(left) + Size(right));
+    if (along != 0) return along;
+  }
+  return 0;
 }
 
 }  // namespace rayshade

@@ -9,6 +9,8 @@ bool Geom::Enters(const ObjectRay& ray, double min_distance, double distance) co
   return Dot(ray.direction, path.geometric_normal) < 0;
 }
 
+bool Geom::AtEdge(const Vector&, const Transform*, double) const { return false; }
+
 UvPoint Geom::Uv(const HitPath&) const { return {}; }
 
 }  // namespace rayshade

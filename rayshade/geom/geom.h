@@ -16,6 +16,7 @@
 
 #include "rayshade/common/bounds.h"
 #include "rayshade/common/expression.h"
+#include "rayshade/common/transform.h"
 #include "rayshade/common/vector.h"
 #include "rayshade/geom/spec.h"
 
@@ -80,6 +81,10 @@ class Geom {
   // Does the hit lead into the solid? The kind's rule for CSG [rayshade4/2 s.5]. Default: direction
   // . outward normal < 0.
   virtual bool Enters(const ObjectRay& ray, double min_distance, double distance) const;
+
+  // Does the point of a hit lie within `slack` (in the world) of a second face, so that a ray that
+  // leaves it may begin behind that one? to_world: from this space; null where it is the world.
+  virtual bool AtEdge(const Vector& point, const Transform* to_world, double slack) const;
 
   // Texture coordinates of a hit; path as filled by Describe, geometric_normal turned towards the
   // viewer [rayshade4/2 s.4.4, rayshade4/3 s.11.2].

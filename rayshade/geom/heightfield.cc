@@ -19,7 +19,10 @@ namespace {
 
 constexpr float kHole = -1000;
 constexpr int kBlock = 16;
-constexpr double kSlack = 1e-12;  // neighbouring triangles overlap by this much: no gaps
+// Neighbouring triangles overlap by this much of the numbers that went into a hit: no gaps.
+constexpr double kSlack = 1e-12;
+// The walk of a ray that begins farther away starts next to the field: no gaps there either.
+constexpr double kNear = 30;
 
 struct Range {
   double low = INFINITY, high = -INFINITY;
@@ -85,6 +88,7 @@ class Heightfield final : public Geom {
     return {x / static_cast<double>(size_ - 1), y / static_cast<double>(size_ - 1), At(x, y)};
   }
   bool Find(const ObjectRay& ray, double min, double max, FieldHit* hit) const;
+  bool FindFrom(const ObjectRay& ray, double begin, double min, double max, FieldHit* hit) const;
   bool FindInBlock(const ObjectRay& ray, int block_x, int block_y, double from, double to,
                    double min, double max, FieldHit* hit) const;
   bool MayMeetCell(const ObjectRay& ray, const Walk& walk) const;
@@ -95,6 +99,7 @@ class Heightfield final : public Geom {
   std::shared_ptr<const std::vector<float>> altitudes_;
   std::vector<Range> blocks_;
   Bounds box_;
+  double reach_;  // largest coordinate in size
 };
 
 Heightfield::Heightfield(const HeightfieldSpec& spec)
@@ -102,7 +107,8 @@ Heightfield::Heightfield(const HeightfieldSpec& spec)
       blocks_per_side_((spec.size - 2) / kBlock + 1),
       altitudes_(spec.altitudes),
       blocks_(static_cast<size_t>(blocks_per_side_) * blocks_per_side_),
-      box_(BoxOf(spec)) {
+      box_(BoxOf(spec)),
+      reach_(std::max({1.0, -box_.low.z, box_.high.z})) {
   for (int y = 0; y < size_; ++y) {
     for (int x = 0; x < size_; ++x) {
       const float z = At(x, y);
@@ -179,6 +185,15 @@ bool Heightfield::Find(const ObjectRay& ray, double min, double max, FieldHit* h
     if (!IntersectSlabs(box, ray.origin, ray.direction, min, INFINITY, &begin)) return false;
     if (!(begin < max)) return false;
   }
+  if (begin < kNear) return FindFrom(ray, begin, min, max, hit);
+  const ObjectRay near{ray.origin + begin * ray.direction, ray.direction, ray.moment};
+  if (!FindFrom(near, 0, min - begin, max - begin, hit)) return false;
+  hit->distance += begin;
+  return true;
+}
+
+bool Heightfield::FindFrom(const ObjectRay& ray, double begin, double min, double max,
+                           FieldHit* hit) const {
   const double width = kBlock / static_cast<double>(size_ - 1);
   const int last = blocks_per_side_ - 1;
   Walk walk(ray, width, 0, last, 0, last, begin);
@@ -237,9 +252,10 @@ bool Heightfield::FindInCell(const ObjectRay& ray, int x, int y, double min, dou
     if (!(s >= min && s < max)) continue;
     const double h_x = ray.origin.x + s * ray.direction.x;
     const double h_y = ray.origin.y + s * ray.direction.y;
+    const double slack = kSlack * reach_ / std::abs(v);
     const bool inside =
-        upper ? h_x <= v2.x + kSlack && h_y <= v2.y + kSlack && h_x + h_y >= v1.x + v1.y - kSlack
-              : h_x >= v1.x - kSlack && h_y >= v1.y - kSlack && h_x + h_y <= v2.x + v2.y + kSlack;
+        upper ? h_x <= v2.x + slack && h_y <= v2.y + slack && h_x + h_y >= v1.x + v1.y - slack
+              : h_x >= v1.x - slack && h_y >= v1.y - slack && h_x + h_y <= v2.x + v2.y + slack;
     if (!inside) continue;
     *hit = {s, normal};
     max = s;

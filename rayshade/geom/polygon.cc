@@ -79,27 +79,28 @@ bool QuadrantsWind(const PolygonPlane& p, std::span<const Vector> points, double
 }
 
 // Winding of the points around the line of the ray, counted where edges cross the half-plane from
-// the ray towards `aside`. False where the ray meets an edge exactly: that is left to Rayshade's
-// rule.
+// the ray towards `aside`. Where an edge meets the ray, of the ray beside (edge_sign.h).
 bool WindsAroundRay(std::span<const Vector> points, const Vector& origin, const Vector& direction,
                     const Vector& aside) {
-  const auto height = [&](const Vector& p) {
-    return EdgeSign(origin, direction, origin + aside, p);
+  // The half-plane moves with the ray: all points that lie in it are then on one side.
+  const Vector step = Cross(direction, aside);
+  const bool in_it_is_above = step.x != 0 ? step.x > 0 : step.y != 0 ? step.y > 0 : step.z > 0;
+  const auto is_above = [&](const Vector& p) {
+    const int height = EdgeSign(origin, direction, origin + aside, p);
+    return height != 0 ? height > 0 : in_it_is_above;
   };
   int winding = 0;
   const Vector* last = &points.back();
-  int last_height = height(*last);
+  bool was_above = is_above(*last);
   for (const Vector& current : points) {
-    const int now = height(current);
-    if (now != last_height || now == 0) {
-      const int sign = EdgeSign(origin, direction, *last, current);
-      if (sign == 0) return false;
-      const bool was_above = last_height >= 0, is_above = now >= 0;
-      if (is_above && !was_above && sign > 0) ++winding;
-      if (!is_above && was_above && sign < 0) --winding;
+    const bool above = is_above(current);
+    if (above != was_above) {
+      const int sign = EdgeSignBeside(origin, direction, *last, current);
+      if (above && sign > 0) ++winding;
+      if (!above && sign < 0) --winding;
     }
     last = &current;
-    last_height = now;
+    was_above = above;
   }
   return winding != 0;
 }

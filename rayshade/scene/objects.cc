@@ -8,6 +8,7 @@
 #include "rayshade/geom/kind_name.h"
 #include "rayshade/geom/make_geom.h"
 #include "rayshade/scene/symbols.h"
+#include "rayshade/texture/noise.h"
 
 namespace rayshade {
 namespace {
@@ -187,6 +188,23 @@ void Objects::Transform(TransformKind kind, std::initializer_list<NumberValue> a
     transforms_->Append(MakeTransform(kind, numbers));
   } catch (const DegenerateTransform& error) {
     reporter_->Fatal(error.what());
+  }
+}
+
+void Objects::FitOctaves() {
+  const bool cut = std::visit(
+      [](auto& texture) {
+        if constexpr (requires { texture.hscale; }) {
+          return rayshade::FitOctaves(texture.hscale, &texture.octaves);
+        } else if constexpr (requires { texture.octaves; }) {
+          return rayshade::FitOctaves(OmegaOf(texture.h, texture.lambda), &texture.octaves);
+        } else {
+          return false;
+        }
+      },
+      texture_.kind);
+  if (cut) {
+    reporter_->Warn("Too many octaves; " + std::to_string(kOctavesMax) + " are computed.");
   }
 }
 

@@ -52,6 +52,7 @@ class Objects {
     texture_.kind = std::forward<Kind>(kind);
     texture_.transforms = {};
     transforms_ = &texture_.transforms;
+    FitOctaves();
   }
   void EndTexture();
 
@@ -80,6 +81,7 @@ class Objects {
   void Start(Making making, SurfaceId surface);
   Making CheckMembers(const Scope& scope);
   void Tell(NameId name, const Scope& definition) const;
+  void FitOctaves();  // of the texture that has begun
 
   const Lexer* lexer_;
   GatedSink* sink_;

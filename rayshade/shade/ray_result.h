@@ -7,6 +7,20 @@
 
 namespace rayshade {
 
+// What the picture can do with a colour: numbers that overflowed become as large as leaves room for
+// sums, and what is no number 0, as in Rayshade's pictures [rayshade4/1 s.10.2].
+inline Color Bounded(const Color& color) {
+  constexpr double kMost = 1e300;
+  const auto size = [](double x) { return x < 0 ? -x : x; };
+  if (size(color.r) + size(color.g) + size(color.b) <= kMost) return color;
+  Color bounded;
+  for (int k = 0; k < 3; ++k) {
+    const double x = color[k];
+    bounded[k] = x > kMost ? kMost : x < -kMost ? -kMost : x == x ? x : 0;
+  }
+  return bounded;
+}
+
 struct RayResult {
   Color color;
   double distance = kFar;  // kFar where nothing was hit

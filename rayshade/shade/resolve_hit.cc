@@ -37,6 +37,14 @@ void ForEachLevel(const HitPath& path, const Placement& placement, Visit visit) 
   for (const PathLevel& level : placement.levels) visit(level.attributes);
 }
 
+// Rays that leave an edge may graze a face other than that of the normal: they count as grazing
+// all.
+void MindEdges(const HitPath& path, const Transform* to_world, SurfaceHit* resolved) {
+  if (path.primitive != nullptr && path.primitive->AtEdge(path.point, to_world, resolved->slack)) {
+    resolved->face = {};
+  }
+}
+
 // Transformations and textures on the path. resolved: point and normals in primitive space so far.
 class PathWalk {
  public:
@@ -54,6 +62,8 @@ class PathWalk {
       WithTextures(distance, resolved);
     } else if (transformed_) {
       Plainly(distance, resolved);
+    } else {
+      MindEdges(path_, nullptr, resolved);
     }
   }
 
@@ -72,6 +82,7 @@ class PathWalk {
     resolved->point = ray_.origin + distance * ray_.direction;
     resolved->face = UnitOf(resolved->geometric_normal);
     resolved->slack = SlackOf(ray_, path_, distance, whole);
+    MindEdges(path_, &whole, resolved);
   }
 
   // Each level's transformations, then its textures. The geometric normal stays where it is
@@ -108,9 +119,10 @@ class PathWalk {
     resolved->point = hit.point;
     resolved->normal = hit.normal;
     Normalize(&resolved->geometric_normal);
-    if (!transformed_) return;
+    if (!transformed_) return MindEdges(path_, nullptr, resolved);
     resolved->face = UnitOf(hit.primitive_to_model.Normal(resolved->face));
     resolved->slack = SlackOf(ray_, path_, distance, hit.primitive_to_model);
+    MindEdges(path_, &hit.primitive_to_model, resolved);
   }
 
   const Scene& scene_;
@@ -141,6 +153,8 @@ void ResolveHit(const Scene& scene, const Ray& ray, const Hit& hit, HitPath* pat
   resolved->bound_transp = resolved->bound->transp;
   if (!placement.plain || !path->inner.empty()) {
     PathWalk(scene, ray, *path, placement).Resolve(hit.distance, resolved);
+  } else {
+    MindEdges(*path, nullptr, resolved);
   }
   resolved->facing = -Dot(ray.direction, resolved->normal);
   resolved->mirror = ray.direction + (2 * resolved->facing) * resolved->normal;

@@ -36,7 +36,7 @@ struct SurfaceHit {
   Vector geometric_normal;  // smooth, textured and transformed: still in primitive space
   double facing;            // k = -(I . N) of the ray's direction I; may be negative after textures
   Vector mirror;            // R = I + 2 k N, not normalised
-  Vector face;              // normal of the surface itself, world space
+  Vector face;              // normal of the surface itself, world space; zero where faces meet
   double slack;             // the point lies within this distance of the surface
   bool smooth;
   bool entering;
@@ -138,11 +138,12 @@ inline RayResult Shade(const Scene& scene, const Ray& ray, bool in_air, double d
   Color color = lights;
   if (secondary.transmitted.wanted) color += Weighted(secondary.transmitted, transmitted);
   if (secondary.reflected.wanted) color += Weighted(secondary.reflected, reflected);
-  return {ThroughAir(scene, ray, in_air, distance, color), distance, true};
+  return {Bounded(ThroughAir(scene, ray, in_air, distance, color)), distance, true};
 }
 // The result of a ray that hits nothing: background and atmosphere.
 inline RayResult ShadeMiss(const Scene& scene, const Ray& ray, bool in_air) {
-  return {ThroughAir(scene, ray, in_air, kFar, scene.settings().background), kFar, false};
+  const Color& background = scene.settings().background;
+  return {Bounded(ThroughAir(scene, ray, in_air, kFar, background)), kFar, false};
 }
 
 }  // namespace rayshade

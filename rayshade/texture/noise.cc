@@ -87,8 +87,9 @@ void SumCorners(const Vector& p, const Corner (&order)[8], double (&sums)[kCount
   }
 }
 
-// Further octaves change nothing, or nothing that is a number is left to change.
-bool Spent(double amplitude) { return amplitude == 0 || !std::isfinite(amplitude); }
+// Weights below or above these bring a sum to its end, by amplitudes that are too small to count or
+// too large to be numbers.
+constexpr double kFallingWeight = 0.98, kRisingWeight = 1.2;
 
 }  // namespace
 
@@ -115,9 +116,10 @@ Vector DNoise(const Vector& p) {
 
 double Fbm(Vector p, double omega, double lambda, int octaves) {
   double sum = 0, amplitude = 1;
-  for (int i = 0; i < octaves && !Spent(amplitude); ++i) {
+  for (int i = 0; i < octaves; ++i) {
     sum += amplitude * Noise(p);
     amplitude *= omega;
+    if (Spent(amplitude) || Absorbed(i, amplitude, omega, sum)) break;
     p = lambda * p;
   }
   return sum;
@@ -126,10 +128,10 @@ double Fbm(Vector p, double omega, double lambda, int octaves) {
 Vector VectorFbm(Vector p, double omega, double lambda, int octaves) {
   Vector sum;
   double amplitude = 1;
-  for (int i = 0; i < octaves && !Spent(amplitude); ++i) {
+  for (int i = 0; i < octaves; ++i) {
     sum = sum + amplitude * DNoise(p);
     amplitude *= omega;
-    if (amplitude < kEpsilon) break;
+    if (amplitude < kEpsilon || Spent(amplitude)) break;
     p = lambda * p;
   }
   return sum;
@@ -139,12 +141,20 @@ double Chaos(const Vector& p, int octaves) { return Fbm(p, 0.5, 2.0, octaves); }
 
 double PAChaos(Vector p, int octaves) {
   double sum = 0, amplitude = 1;
-  for (int i = 0; i < octaves && !Spent(amplitude); ++i) {
+  for (int i = 0; i < octaves; ++i) {
     sum += std::abs(amplitude * Noise(p));
     amplitude *= 0.5;
+    if (Spent(amplitude) || Absorbed(i, amplitude, 0.5, sum)) break;
     p = 2.0 * p;
   }
   return sum;
+}
+
+bool FitOctaves(double weight, int* octaves) {
+  const double size = std::abs(weight);
+  if (*octaves <= kOctavesMax || size <= kFallingWeight || size >= kRisingWeight) return false;
+  *octaves = kOctavesMax;
+  return true;
 }
 
 double OmegaOf(double h, double lambda) { return std::pow(lambda, -0.5 * (1.0 + 2.0 * h)); }

@@ -177,5 +177,24 @@ TEST(EdgeSign, IsThatOfTheFullSumHoweverNearTheRayPasses) {
   EXPECT_GT(signs[2], 1000u);
 }
 
+// Three edges that meet in a point of the ray: the ray beside passes them as one ray does, between
+// two of the sectors or in one.
+TEST(EdgeSign, BesideARayThroughAVertexIsThatOfOneRay) {
+  Random random(6);
+  for (int i = 0; i < 1000; ++i) {
+    const Vector o{std::floor(RandomPoint(&random, 9).x), 2, 5}, down{0, 0, -1}, v{o.x, 2, 0};
+    const Vector around[3] = {{o.x + 3, 1, 0}, {o.x - 1, 5, 0}, {o.x - 2, -3, 0}};
+    int sectors = 0;
+    for (int k = 0; k < 3; ++k) {
+      const Vector &a = around[k], &b = around[(k + 1) % 3];
+      EXPECT_EQ(0, EdgeSign(o, down, v, a));
+      EXPECT_EQ(EdgeSignBeside(o, down, v, a), -EdgeSignBeside(o, down, a, v));
+      sectors += EdgeSignBeside(o, down, v, a) == -EdgeSignBeside(o, down, v, b) &&
+                 EdgeSignBeside(o, down, v, a) == EdgeSignBeside(o, down, a, b);
+    }
+    EXPECT_EQ(1, sectors);
+  }
+}
+
 }  // namespace
 }  // namespace rayshade

@@ -207,6 +207,22 @@ TEST(Parse, AnAtmosphereReplacesTheEffectsOfTheOneBefore) {
   EXPECT_EQ(ReadText("atmosphere .5 sphere 1 0 0 0").status, 2);
 }
 
+TEST(Parse, OctavesThatNeverEndAreLimitedWithAWarning) {
+  const auto expect = [](const std::string& texture, bool warned) {
+    const Reading r = ReadText("sphere 1 0 0 0 texture " + texture);
+    EXPECT_EQ(r.messages,
+              warned ? "rs: Warning: stdin, line 1: Too many octaves; 4096 are computed.\n" : "");
+  };
+  expect("sky 1 .5 2 1e9 .4 .3", false);
+  expect("sky 1 -.5 2 1e9 .4 .3", true);
+  expect("fbm 0 1 -.5 2 4096 .1", false);
+  expect("fbm 0 1 -.5 2 4097 .1", true);
+  expect("fbmbump 0 1 3 1 1e9", true);
+  expect("cloud 1 -.5 2 1e9 .4 .3 1", true);
+  expect("windy 1 .7 2 .6 1e9 2.2 1 .4", true);
+  expect("windy 1 .7 2 .6 1e9 2.2 .6 .4", false);
+}
+
 TEST(Parse, TransformsAfterATextureAreTheTextures) {
   const RecordingSink sink = Good(
       "sphere 1 0 0 0 translate 1 0 0 rotate 0 0 1 90 texture checker diffuse 1 1 1 scale 2 2 2 "

@@ -1,5 +1,5 @@
 // Numbers that nobody means, in every place of a scene: a message, or an ordinary picture; never a
-// colour that is no number.
+// colour that is no number, or infinite.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -49,6 +49,16 @@ const char* const kStatements[] = {
     "sphere 1.2 0 0 0 texture checker w scale 1.1 1.2 .9",
     "sphere 1.2 0 0 0 texture bump .3 scale .1 .1 .1",
     "sphere 1.2 0 0 0 texture stripe w 1 .3",
+    "sphere 1.2 0 0 0 texture blotch .4 w",
+    "sphere 1.2 0 0 0 texture gloss .4",
+    "sphere 1.2 0 0 0 texture fbm .1 .9 .5 2 6 .1",
+    "sphere 1.2 0 0 0 texture fbmbump .1 .9 .5 2 6",
+    "sphere 1.2 0 0 0 texture cloud 1 .5 2 6 .4 .3 1",
+    "sphere 1.2 0 0 0 texture sky 1 .5 2 6 .4 .3",
+    "sphere 1.2 0 0 0 texture windy 1 .7 2 .6 3 2.2 .6 .4",
+    "atmosphere 1 mist .1 .2 .3 4 5 6 .5 3",
+    "light 1 area 1 -2 3 2 -2 3 2 1 -1 3 2",
+    "surface q translu .6 .5 .4 .3 9 diffuse .4 .5 .6\nsphere q 1.2 0 0 0",
 };
 
 bool IsNumber(const std::string& word) {
@@ -83,7 +93,7 @@ Outcome Render(const std::string& text) {
         TraceBundle(*built.scene, *built.objects, bundle, results, &counts);
         for (const RayResult& r : results) {
           outcome.finite &=
-              !std::isnan(r.color.r) && !std::isnan(r.color.g) && !std::isnan(r.color.b);
+              std::isfinite(r.color.r) && std::isfinite(r.color.g) && std::isfinite(r.color.b);
         }
       }
     }
@@ -120,11 +130,45 @@ TEST(DegenerateInput, NumbersThatAreNoneGetAMessage) {
 }
 
 TEST(DegenerateInput, NumbersOfAnySizeMakeNoColourThatIsNone) {
-  for (const char* number : {"0", "-1", "4.9e-324", "1e-300", "1e-5", "1e20", "1e39", "1e300"}) {
+  for (const char* number :
+       {"0", "-1", "4.9e-324", "1e-300", "1e-5", "1e20", "1e39", "1e300", "1.7e308", "-1.7e308"}) {
     ForEachPlace(number, [](const std::string& scene, const std::string& changed) {
       EXPECT_TRUE(Render(scene).finite) << changed;
     });
   }
+}
+
+// Expressions of time are computed when it is too late for an error.
+TEST(DegenerateInput, MovementsThatAreNoneMakeNoColourThatIsNone) {
+  for (const char* number : {"(1/time)", "(0/time)", "(-1/time)", "(exp(1e9*time+1e9))",
+                             "(sqrt(time-1))", "(1e308*(2+time))"}) {
+    for (const std::string move : {"translate @ 0 0", "rotate 0 0 1 @", "scale 1 @ 1",
+                                   "texture bump .3 translate @ 0 0", "rotate @ 1 1 30"}) {
+      std::string text = std::string(kAround) + "shutter .5\nsphere 1.2 0 0 0 " + move + "\n";
+      text.replace(text.find('@'), 1, number);
+      try {
+        EXPECT_TRUE(Render(text).finite) << text;
+      } catch (const std::exception& error) {
+        EXPECT_STREQ(error.what(), "Singular matrix.") << text;
+      }
+    }
+  }
+}
+
+TEST(DegenerateInput, ColoursThatOverflowAreAsBrightAsCanBe) {
+  TextScene scene("light 1e300 directional 0 -1 0\nsphere diffuse 1e300 1 -1e300 1 0 0 0\n");
+  const Color color = scene.Trace({0, -10, 0}, {0, 1, 0}).color;
+  EXPECT_EQ(color, (Color{1e300, 1e300, -1e300}));
+}
+
+TEST(DegenerateInput, ManyFactorsThatOverflowTogether) {
+  const Outcome outcome = Render(
+      "cutoff 0\nmaxdepth 7\nlight 1e300 -1e300 1 point 1 -9 4\nlight -1e300 1e300 1 point 2 -9 "
+      "3\n"
+      "sphere ambient -1e308 1e308 1 diffuse 1e300 1e300 1e300 specular 1e300 -1e300 0 reflect "
+      "1e300 transp 1e200 index 1.1 1 0 0 0\nplane reflect -1e300 specular 1 1e300 1 0 0 -2 0 0 "
+      "1\natmosphere 1 fog 1e308 -1e308 0 .1 .1 .1\n");
+  EXPECT_TRUE(outcome.finite);
 }
 
 }  // namespace

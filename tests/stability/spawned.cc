@@ -46,15 +46,15 @@ class Stage {
     return ray;
   }
 
-  // Appends what a hit of the ray spawns; false where nothing is hit.
-  bool Spawn(const Ray& ray, std::vector<Ray>* spawned, Vector* face, bool* at_edge) {
+  // Appends what a hit of the ray spawns; false where nothing is hit. faces: where it is.
+  bool Spawn(const Ray& ray, std::vector<Ray>* spawned, std::vector<Vector>* faces) {
     Hit hit = Nearest(ray);
     if (!hit.found()) return false;
     HitPath path;
     SurfaceHit resolved;
     ResolveHit(*built_.scene, ray, hit, &path, &resolved);
     built_.objects->Describe(ray, hit, &path);
-    *face = FaceAt(path, resolved, at_edge);
+    *faces = FacesAt(path, resolved);
     RayBundle bundle;
     SpawnSecondary(*built_.scene, ray, {}, resolved, &bundle, &bundle);
     *spawned = bundle.rays;
@@ -70,16 +70,22 @@ class Stage {
     return hit;
   }
 
-  // Is the hit the place where the ray begins?
-  bool IsOwn(const Ray& ray, const Hit& hit, const Vector& face) const {
+  // Is the hit the place where the ray begins? faces: FacesAt there.
+  bool IsOwn(const Ray& ray, const Hit& hit, const std::vector<Vector>& faces) const {
     HitPath path;
     built_.objects->Describe(ray, hit, &path);
-    if (HasFaces()) {
-      bool at_edge;
-      return FaceAt(path, {}, &at_edge) == face;
+    if (!HasFaces()) {
+      return path.distance <
+             .5 * NextCrossing(object_.placed.geom, path.ray.origin, path.ray.direction);
     }
-    return path.distance <
-           .5 * NextCrossing(object_.placed.geom, path.ray.origin, path.ray.direction);
+    // A line crosses a plane once: whatever lies only on planes in which the ray begins is wrong.
+    SurfaceHit resolved;
+    ResolveHit(*built_.scene, ray, hit, &path, &resolved);
+    built_.objects->Describe(ray, hit, &path);
+    const std::vector<Vector> there = FacesAt(path, resolved);
+    return std::all_of(there.begin(), there.end(), [&](const Vector& face) {
+      return std::find(faces.begin(), faces.end(), face) != faces.end();
+    });
   }
 
  private:
@@ -88,24 +94,28 @@ class Stage {
            std::holds_alternative<HeightfieldSpec>(object_.placed.geom);
   }
 
-  // Which face of the object is it, by its normal in object space?
-  Vector FaceAt(const HitPath& path, const SurfaceHit& resolved, bool* at_edge) const {
-    *at_edge = false;
+  // On which faces of the object is it, by their normals in object space? At an edge of a box, all
+  // that rounding cannot tell from the point.
+  std::vector<Vector> FacesAt(const HitPath& path, const SurfaceHit& resolved) const {
     const auto* box = std::get_if<BoxSpec>(&object_.placed.geom);
-    if (box == nullptr) return path.normal;
-    // Within rounding of an edge, the hit may count to either face.
-    double gaps[6];
+    if (box == nullptr) return {path.normal};
+    double gaps[6];  // in the world
     for (int i = 0; i < 6; ++i) {
       const double side = (i % 2 == 0 ? box->corner : box->opposite)[i / 2];
-      gaps[i] = std::abs(path.point[i / 2] - side);
+      gaps[i] = std::abs(path.point[i / 2] - side) / Length(whole_.Normal(FaceNormal(i)));
     }
-    const int nearest = static_cast<int>(std::min_element(gaps, gaps + 6) - gaps);
-    std::nth_element(gaps, gaps + 1, gaps + 6);
-    const double blur = 1e-13 * (path.reach + SumOfSizes(path.ray.origin) + path.distance);
-    *at_edge = gaps[1] < std::max(blur, 1e-3 * resolved.slack);
-    Vector face;
-    face[nearest / 2] = nearest % 2 == 0 ? -1 : 1;
-    return face;
+    const double nearest = *std::min_element(gaps, gaps + 6);
+    std::vector<Vector> faces;
+    for (int i = 0; i < 6; ++i) {
+      if (gaps[i] <= std::max(nearest, resolved.slack / 8)) faces.push_back(FaceNormal(i));
+    }
+    return faces;
+  }
+
+  static Vector FaceNormal(int face) {
+    Vector normal;
+    normal[face / 2] = face % 2 == 0 ? -1 : 1;
+    return normal;
   }
 
   RandomObject object_;
@@ -122,24 +132,20 @@ bool CountOne(const RandomObject& object, int rays, Random* random, SpawnedCount
   int done = 0;
   for (int tries = 0; done < rays; ++tries) {
     if (tries > kTries * rays) return false;
-    Vector face;
-    bool at_edge;
-    if (!stage.Spawn(stage.Aim(random), &spawned, &face, &at_edge)) continue;
-    if (at_edge) {
-      ++own.at_edges;
-      continue;
-    }
+    std::vector<Vector> faces;
+    if (!stage.Spawn(stage.Aim(random), &spawned, &faces)) continue;
     for (Ray& ray : spawned) {
       if (done++ == rays) break;
       ++own.rays;
+      own.at_edges += faces.size() > 1;
       const Hit hit = stage.Nearest(ray);
       if (hit.found()) {
         ++own.hits;
-        own.own += stage.IsOwn(ray, hit, face);
+        own.own += stage.IsOwn(ray, hit, faces);
       }
       ray.min_distance = ray.kind == RayKind::kShadow ? kShadowEpsilon : kEpsilon;
       const Hit original = stage.Nearest(ray);
-      own.own_by_original += original.found() && stage.IsOwn(ray, original, face);
+      own.own_by_original += original.found() && stage.IsOwn(ray, original, faces);
     }
   }
   *count = own;

@@ -12,10 +12,10 @@ namespace rayshade::stability {
 struct SpawnedCount {
   std::string primitive;
   int objects = 0;
-  int64_t rays = 0;      // spawned
-  int64_t hits = 0;      // of them, that meet the object again
-  int64_t own = 0;       // of these, that meet it where they begin
-  int64_t at_edges = 0;  // begin so near to an edge that one cannot tell on which face; not counted
+  int64_t rays = 0;             // spawned
+  int64_t hits = 0;             // of them, that meet the object again
+  int64_t own = 0;              // of these, that meet it where they begin
+  int64_t at_edges = 0;         // begin so near to an edge that one cannot tell on which face
   int64_t own_by_original = 0;  // with Rayshade's fixed least distances: what the rule is for
 };
 

@@ -154,6 +154,41 @@ TEST(Noise, IsDefinedBeyondTheRangeOfIntegers) {
   EXPECT_EQ(Noise({many, 0, 0}), Noise({0, 0, 0}));
 }
 
+// Every octave, however little it adds.
+double PlainFbm(Vector p, double omega, double lambda, int octaves) {
+  double sum = 0, amplitude = 1;
+  for (int i = 0; i < octaves; ++i) {
+    sum += amplitude * Noise(p);
+    amplitude *= omega;
+    p = lambda * p;
+  }
+  return sum;
+}
+
+TEST(Noise, SumsEndWhereFurtherOctavesCannotChangeABit) {
+  constexpr int kMany = 2000000000;
+  for (const Vector& p : {Vector{1, 2, 3}, {.1, -.7, 2.3}, {1e-9, 0, 0}, {-1e7, 3e9, .5}}) {
+    EXPECT_EQ(Fbm(p, .5, 2, kMany), PlainFbm(p, .5, 2, 2000));
+    EXPECT_EQ(Fbm(p, .9, 2.17, kMany), PlainFbm(p, .9, 2.17, 9000));
+    EXPECT_EQ(Fbm(p, -.97, 1, kMany), PlainFbm(p, -.97, 1, 30000));
+    EXPECT_TRUE(std::isfinite(Fbm(p, 1.5, 2, kMany)));
+  }
+}
+
+TEST(Noise, OnlySumsThatWouldNotEndAreLimited) {
+  for (const double weight : {.5, .98, -.9, 0., 1.2, -7.}) {
+    int octaves = 1000000000;
+    EXPECT_FALSE(FitOctaves(weight, &octaves)) << weight;
+    EXPECT_EQ(octaves, 1000000000);
+  }
+  for (const double weight : {1., .99, -1., 1.0001}) {
+    int octaves = 1000000000, few = kOctavesMax;
+    EXPECT_TRUE(FitOctaves(weight, &octaves)) << weight;
+    EXPECT_EQ(octaves, kOctavesMax);
+    EXPECT_FALSE(FitOctaves(weight, &few));
+  }
+}
+
 TEST(Noise, NoOctavesGiveNothingAndTooManyEnd) {
   EXPECT_EQ(Fbm({1, 2, 3}, .5, 2, 0), 0);
   EXPECT_EQ(Fbm({1, 2, 3}, .5, 2, -1), 0);
