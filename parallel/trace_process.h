@@ -22,10 +22,13 @@
 
 namespace rayshade::parallel {
 
+class SharedObjects;
+
 class TraceProcess : public Process {
  public:
-  // meter: what only the runner knows, for the statistics; not owned.
-  explicit TraceProcess(const Meter* meter);
+  // meter: what only the runner knows, for the statistics. shared: of the processes of the run that
+  // are in this address space; may be null. Not owned.
+  explicit TraceProcess(const Meter* meter, SharedObjects* shared = nullptr);
   ~TraceProcess() override;
 
   void Receive(ProcessId from, std::span<const uint8_t> message, Outbox* outbox) override;
