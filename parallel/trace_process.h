@@ -37,7 +37,7 @@ class TraceProcess : public Process {
   WorkDone work_done() const override;
   uint64_t bytes_held() const override;
   // Rays not finished, hits not shaded and results not sent: one for each primary ray that is here.
-  // Pending intersections do not count: their rays do.
+  // Pending intersections do not count: their rays do. Nor do shadow rays: their hits do.
   size_t rays_in_work() const;
 
  private:
