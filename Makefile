@@ -129,6 +129,8 @@ $(patsubst scenes/%.cc,$(BUILD)/%,$(wildcard scenes/*.cc)): $(BUILD)/%: $(OBJ)/s
 $(BUILD)/unit_tests: $(call object,$(TESTS)) $(PVM_LIB) $(PARALLEL_LIB) $(CORE_LIB)
 	$(LINK) $(if $(wildcard parallel/pvm/*.cc),-lpvm3) -lgtest_main -lgtest -lpthread
 
+$(BUILD)/step_costs: $(OBJ)/tests/bench/step_costs.o $(PARALLEL_LIB) $(CORE_LIB)
+	$(LINK)
 $(BUILD)/ping_pong: $(OBJ)/tests/bench/ping_pong.o $(PVM_LIB) $(PARALLEL_LIB) $(CORE_LIB)
 	$(LINK) -lpvm3
 
@@ -174,7 +176,7 @@ bench: all $(if $(wildcard /usr/include/embree3/rtcore.h),$(BUILD)/embree_loop)
 	@tests/bench/bench.sh $(BUILD)
 
 # The simulator's machines: measured here, and compared with real runs.
-calibrate: all $(BUILD)/ping_pong
+calibrate: all $(BUILD)/ping_pong $(BUILD)/step_costs
 	@tests/bench/calibrate.sh $(BUILD)
 agreement: all
 	@tests/bench/agreement.sh $(BUILD)

@@ -80,6 +80,13 @@ HostProcess::HostProcess(const RunOptions& options, ObjectSpool* spool, int fram
 
 HostProcess::~HostProcess() = default;
 
+WorkDone HostProcess::work_done() const {
+  WorkDone done;
+  done.counts.cell_steps = feed_->cell_steps();
+  done.samples = 2 * samples_done_ + in_flight_;
+  return done;
+}
+
 // Every process gets its part of the work; of the bytes, where that would take more than half of a
 // process's memory: caches, rays and the building of the hierarchy need the rest.
 void HostProcess::Balance() {

@@ -41,7 +41,7 @@ class HostProcess : public Process {
   void Receive(ProcessId from, std::span<const uint8_t> message, Outbox* outbox) override;
   bool Work(Outbox* outbox) override;
   bool finished() const override { return phase_ == Phase::kDone || phase_ == Phase::kFailed; }
-  WorkDone work_done() const override { return {{}, 0, 2 * samples_done_ + in_flight_}; }
+  WorkDone work_done() const override;
 
   // Before anything else: the picture goes on from what PixelSampling::Save gave. False where the
   // bytes are no such state.

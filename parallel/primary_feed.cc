@@ -71,7 +71,7 @@ size_t DataParallelFeed::HandOut(size_t room, PixelSampling* sampling, Outbox* o
       const Ray ray = camera_->PrimaryRay(sample);
       Travel travel;
       travel.back = {kHost, TokenOf(sample)};
-      WalkCells(
+      cell_steps_ += WalkCells(
           *tree_, ray.origin, ray.direction, kFar,
           [this](uint32_t node) { return all_empty_[node] != 0; },
           [&travel](CellId cell, const RayInterval&) {

@@ -20,6 +20,8 @@ class PrimaryFeed {
   virtual void OnRequest(ProcessId) {}
   // Hands out samples while there are any, at most `room`; returns how many.
   virtual size_t HandOut(size_t room, PixelSampling* sampling, Outbox* outbox) = 0;
+  // Cells of the subdivision walked through so far.
+  virtual uint64_t cell_steps() const { return 0; }
 };
 
 // "There is a host process that issues bundles of rays on request" [RJ s.4]: each request is
@@ -53,11 +55,13 @@ class DataParallelFeed : public PrimaryFeed {
  public:
   DataParallelFeed(const Camera* camera, const CellTree* tree, ProcessId processes);
   size_t HandOut(size_t room, PixelSampling* sampling, Outbox* outbox) override;
+  uint64_t cell_steps() const override { return cell_steps_; }
 
  private:
   const Camera* camera_;
   const CellTree* tree_;
   ProcessId processes_;
+  uint64_t cell_steps_ = 0;
   ProcessId turn_ = 1;
   std::vector<uint8_t> all_empty_;  // by node
 };

@@ -138,7 +138,7 @@ size_t RayPacker::size() const {
   for (const Pack& p : packs_) {
     for (const Rays* r : {&p.rays, &p.intersections})
       size += r->content.primary.size() + r->content.travel.size();
-    size += p.results.size() + p.shadows.rays.size() + p.shadow_results.results.size();
+    size += p.results.size();
   }
   return size;
 }

@@ -29,7 +29,7 @@ class RayPacker {
   void AddVoid(uint64_t token, Outbox* outbox);
   void Flush(Outbox* outbox);
   size_t bytes() const;
-  size_t size() const;  // rays and results that are not sent
+  size_t size() const;  // rays, hits and results that are not sent; shadow rays do not count
 
  private:
   struct Rays {

@@ -18,6 +18,7 @@
 #include "parallel/rank_index.h"
 #include "parallel/ray_packer.h"
 #include "parallel/ray_queue.h"
+#include "parallel/shared_objects.h"
 #include "parallel/trace_process.h"
 #include "parallel/work_queue.h"
 #include "rayshade/render/camera.h"
@@ -84,12 +85,6 @@ struct ShadowBatch {
         halted(kRaysPerStep) {}
 };
 
-// A member of a definition, which several placed objects share.
-struct Member {
-  GeomSpec spec;
-  std::shared_ptr<const Geom> geom;
-};
-
 // What waits for a cell that is being fetched.
 struct WaitingForCell {
   RayQueue rays;                                       // to go on
@@ -98,12 +93,15 @@ struct WaitingForCell {
 };
 
 struct TraceProcess::Impl {
-  explicit Impl(const Meter* m) : meter(m) {}
+  Impl(const Meter* m, SharedObjects* s) : meter(m), shared(s) {}
 
   // trace_process.cc
   void On(ProcessId from, SetUp& message, Outbox* outbox);
   void On(ProcessId from, Objects& message, Outbox* outbox);
   void On(ProcessId from, Distributed& message, Outbox* outbox);
+  void KeepShared(std::span<const uint8_t> objects, Outbox* outbox);
+  void BuildOwn();
+  void BuildShared();
   void On(ProcessId from, PrimaryRays& message, Outbox* outbox);
   void On(ProcessId from, RayTask& message, Outbox* outbox);
   void On(ProcessId from, IntersectionTask& message, Outbox* outbox);
@@ -163,24 +161,23 @@ struct TraceProcess::Impl {
   void TakeResult(uint64_t token, const RayResult& result, Outbox* outbox);
 
   const Meter* meter;
+  SharedObjects* shared;                 // null: this process keeps its objects for itself
+  std::vector<uint32_t> shared_parcels;  // of `shared`, as they came
   bool stopped = false;
 
   // From SetUp.
   ProcessId self = 1;
   RunOptions options;
-  std::unique_ptr<Scene> scene;
+  std::shared_ptr<Scene> scene;
   std::unique_ptr<Camera> camera;
   CellTree tree;
-  std::map<uint32_t, PlacementId> placements;      // by number in the run
-  std::vector<uint32_t> placement_numbers;         // in the run, by PlacementId
-  std::map<uint32_t, Member> members;              // by number in the run
-  std::map<const Geom*, uint32_t> member_numbers;  // looked up only, never walked
+  ObjectNumbers numbers;
   ImageTable images;
   std::vector<std::vector<bool>> images_sent;  // by process, by number
-  std::unique_ptr<ObjectSet> own;
+  std::shared_ptr<ObjectSet> own;
   std::unique_ptr<ObjectCache> cache;
   std::unique_ptr<CellTracer> tracer;
-  std::unique_ptr<RankIndex> ranks;  // of `own`; null where memory is short
+  std::shared_ptr<const RankIndex> ranks;  // of `own`; null where memory is short
 
   // Rays in work.
   std::deque<uint64_t> samples;  // of PyraClip tasks, not begun: tokens

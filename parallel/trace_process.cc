@@ -10,7 +10,8 @@
 
 namespace rayshade::parallel {
 
-TraceProcess::TraceProcess(const Meter* meter) : impl_(std::make_unique<Impl>(meter)) {}
+TraceProcess::TraceProcess(const Meter* meter, SharedObjects* shared)
+    : impl_(std::make_unique<Impl>(meter, shared)) {}
 TraceProcess::~TraceProcess() = default;
 
 bool TraceProcess::finished() const { return impl_->stopped; }
@@ -43,6 +44,7 @@ void TraceProcess::Receive(ProcessId from, std::span<const uint8_t> bytes, Outbo
     case Tag::kSetUp:
       return p.Handle<SetUp>(from, bytes, outbox);
     case Tag::kObjects:
+      if (p.shared != nullptr) return p.KeepShared(bytes, outbox);
       return p.Handle<Objects>(from, bytes, outbox);
     case Tag::kDistributed:
       return p.Handle<Distributed>(from, bytes, outbox);
@@ -84,24 +86,25 @@ void TraceProcess::Impl::On(ProcessId, SetUp& message, Outbox*) {
   if (!CheckView(message.scene.settings).empty()) throw WireError("a view that makes no sense");
   ImageTable no_images(message.scene.textures, std::move(message.images));
   const Meter* kept = meter;
+  SharedObjects* kept_shared = shared;
   std::destroy_at(this);  // nothing of an earlier frame stays
-  std::construct_at(this, kept);
+  std::construct_at(this, kept, kept_shared);
   self = message.id;
   options = message.options;
   tree = std::move(message.tree);
   camera = std::make_unique<Camera>(message.scene.settings, message.frame);
-  scene = std::make_unique<Scene>(std::move(message.scene), message.frame);
+  scene = std::make_shared<Scene>(std::move(message.scene), message.frame);
   scene->any_transparent = message.any_transparent;
   images = std::move(no_images);
   images_sent.assign(options.processes + 1u, std::vector<bool>(images.size() + 1));
-  own = std::make_unique<ObjectSet>(scene.get());
+  own = std::make_shared<ObjectSet>(scene.get());
   cache = std::make_unique<ObjectCache>(options.cache);
   packer = std::make_unique<RayPacker>(options.processes);
 }
 
 PlacementId TraceProcess::Impl::LocalPlacement(uint32_t number) const {
-  const auto it = placements.find(number);
-  if (it == placements.end()) throw WireError("an object without its placement");
+  const auto it = numbers.placements.find(number);
+  if (it == numbers.placements.end()) throw WireError("an object without its placement");
   return it->second;
 }
 
@@ -137,12 +140,12 @@ void TraceProcess::Impl::Install(const ObjectParcel& parcel, ObjectSet* set) {
   for (const WireImage& image : parcel.images) TakeImage(image);
   for (const WirePlacement& p : parcel.placements) {
     for (const PathLevel& level : p.placement.levels) CheckAttributes(level.attributes);
-    const auto [it, added] = placements.try_emplace(p.number, scene->spec.placements.size());
+    const auto [it, added] =
+        numbers.placements.try_emplace(p.number, scene->spec.placements.size());
     if (!added) continue;
     scene->spec.placements.push_back(p.placement);
-    placement_numbers.push_back(p.number);
+    numbers.placement_numbers.push_back(p.number);
   }
-  objects_taken += parcel.objects.size();
   for (const WireObject& object : parcel.objects) {
     CheckInside(object.geom);
     const PlacementId placement = LocalPlacement(object.placement);
@@ -150,10 +153,10 @@ void TraceProcess::Impl::Install(const ObjectParcel& parcel, ObjectSet* set) {
       set->Add(object.geom, placement, object.rank);
       continue;
     }
-    Member& member = members[object.member];
+    Member& member = numbers.members[object.member];
     if (member.geom == nullptr) {
       member = {object.geom, MakeGeom(object.geom, scene->shutter)};
-      member_numbers.emplace(member.geom.get(), object.member);
+      numbers.member_numbers.emplace(member.geom.get(), object.member);
     }
     set->Add(member.geom, object.geom.index(), placement, object.rank);
   }
@@ -162,16 +165,22 @@ void TraceProcess::Impl::Install(const ObjectParcel& parcel, ObjectSet* set) {
 void TraceProcess::Impl::On(ProcessId, Objects& message, Outbox* outbox) {
   if (tracer != nullptr) throw WireError("Objects after Distributed");
   Install(message.parcel, own.get());
+  objects_taken += message.parcel.objects.size();
   outbox->Send(kHost, Encode(ObjectsTaken{}));
+}
+
+// The hierarchy over what was sent, and the index of it.
+void TraceProcess::Impl::BuildOwn() {
+  own->Build();
+  const bool plenty = options.memory == 0 || own->bytes() < options.memory / 8;
+  if (TransfersHits(options.schedule) && plenty) ranks = std::make_shared<RankIndex>(own.get());
 }
 
 void TraceProcess::Impl::On(ProcessId, Distributed&, Outbox* outbox) {
   if (tracer != nullptr) throw WireError("Distributed twice");
-  own->Build();
+  shared == nullptr ? BuildOwn() : BuildShared();
   tracer = std::make_unique<CellTracer>(scene.get(), &tree, self, own.get(), cache.get());
   tracer->set_searches_cache(SearchesCache(options.schedule));
-  const bool plenty = options.memory == 0 || own->bytes() < options.memory / 8;
-  if (TransfersHits(options.schedule) && plenty) ranks = std::make_unique<RankIndex>(own.get());
   NoteBytes();
   Ready ready;
   ready.bytes_held = bytes_held;  // the subdivision and empty packs count, too
@@ -266,7 +275,7 @@ void TraceProcess::Impl::On(ProcessId from, CellRequest& message, Outbox* outbox
   reply.cell = message.cell;
   Bounds box = tracer->box(message.cell);
   box.Grow(2 * tree.margin());
-  std::vector<uint8_t> sent(placement_numbers.size());
+  std::vector<uint8_t> sent(numbers.placement_numbers.size());
   const auto send_image = [&](uint32_t number) {
     if (images_sent[from][number]) return;
     images_sent[from][number] = true;
@@ -276,11 +285,11 @@ void TraceProcess::Impl::On(ProcessId from, CellRequest& message, Outbox* outbox
     ObjectSet::Entry entry = own->entry(object);
     WireObject wire;
     wire.rank = entry.rank;
-    wire.placement = placement_numbers[entry.placement];
-    const auto member = member_numbers.find(entry.member.get());
-    if (member != member_numbers.end()) {
+    wire.placement = numbers.placement_numbers[entry.placement];
+    const auto member = numbers.member_numbers.find(entry.member.get());
+    if (member != numbers.member_numbers.end()) {
       wire.member = member->second;
-      wire.geom = members.at(wire.member).spec;
+      wire.geom = numbers.members.at(wire.member).spec;
     } else {
       wire.geom = std::move(entry.spec);
     }
@@ -288,7 +297,7 @@ void TraceProcess::Impl::On(ProcessId from, CellRequest& message, Outbox* outbox
     reply.parcel.objects.push_back(std::move(wire));
     if (sent[entry.placement]++ == 0) {
       reply.parcel.placements.push_back(
-          {placement_numbers[entry.placement], scene->placement(entry.placement)});
+          {numbers.placement_numbers[entry.placement], scene->placement(entry.placement)});
       images.ForEachOf(scene->placement(entry.placement), send_image);
     }
   });

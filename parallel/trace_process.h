@@ -22,10 +22,13 @@
 
 namespace rayshade::parallel {
 
+class SharedObjects;
+
 class TraceProcess : public Process {
  public:
-  // meter: what only the runner knows, for the statistics; not owned.
-  explicit TraceProcess(const Meter* meter);
+  // meter: what only the runner knows, for the statistics. shared: of the processes of the run that
+  // are in this address space; may be null. Not owned.
+  explicit TraceProcess(const Meter* meter, SharedObjects* shared = nullptr);
   ~TraceProcess() override;
 
   void Receive(ProcessId from, std::span<const uint8_t> message, Outbox* outbox) override;
@@ -34,7 +37,7 @@ class TraceProcess : public Process {
   WorkDone work_done() const override;
   uint64_t bytes_held() const override;
   // Rays not finished, hits not shaded and results not sent: one for each primary ray that is here.
-  // Pending intersections do not count: their rays do.
+  // Pending intersections do not count: their rays do. Nor do shadow rays: their hits do.
   size_t rays_in_work() const;
 
  private:

@@ -1,7 +1,8 @@
 #!/bin/bash
 # `make map`: which schedule wins where: over coherence (longest chain of reflections: none, 1, 5), memory per process (what
-# --memory allows: 512 kB, 1 MB and 16 MB) and network speed, for 8, 32 and 128 processes. The balls of size 4, all
-# the small ones reflective, 96 x 96. Writes doc/charts/data/map.csv (every run) and map_winners.csv, and the chart.
+# --memory allows: 768 kB, which is little more than 8 processes need, 2 MB and 32 MB) and network speed, for 8, 32 and 128
+# processes. The balls of size 5, all of them reflective, 96 x 96. Writes doc/charts/data/map.csv (every run) and map_winners.csv,
+# and the chart. About a quarter of an hour on one processor.
 cd "$(dirname "$0")/../.." || exit 2
 . doc/charts/experiment.sh
 build=$(cd "$1" && pwd) || exit 2
@@ -15,7 +16,7 @@ if [ "${2:-}" = one ]; then # DEPTH MEMORY NETWORK PROCESSES SCHEDULE
     { if (network == "slow") { set("gap", 1e-6); set("latency", 200e-6) }
       if (network == "100g") { set("gap", 0.08e-9); set("latency", 10e-6) }
       print }' parallel/sim/machines/cluster-1g.machine >"$out/$name.machine"
-  result=$(run "$name" "$out/balls4.ray" -R 96 96 -D "$3" --machine "$out/$name.machine" --memory "$4" --processes "$6" --schedule "$7") || exit 255
+  result=$(run "$name" "$out/balls.ray" -R 96 96 -D "$3" --machine "$out/$name.machine" --memory "$4" --processes "$6" --schedule "$7") || exit 255
   seconds=o.m. share=
   if [ "$result" = "done" ]; then
     seconds=$(value "$out/$name.json" simulated_seconds)
@@ -25,11 +26,11 @@ if [ "${2:-}" = one ]; then # DEPTH MEMORY NETWORK PROCESSES SCHEDULE
   exit 0
 fi
 
-[ -s "$out/balls4.ray" ] || "$build/sphereflake" 4 --paper >"$out/balls4.ray" || exit 1
+sed '/^surface dull/s/$/ reflect .5/' scenes/balls5.ray >"$out/balls.ray" || exit 1
 rm -f "$out"/*.row
 for processes in 128 32 8; do
   for depth in 0 1 5; do
-    for memory in 512K 1M 16M; do
+    for memory in 768K 2M 32M; do
       for network in slow 1g 100g; do
         for schedule in data-parallel demand-driven hybrid; do echo "$depth $memory $network $processes $schedule"; done
       done

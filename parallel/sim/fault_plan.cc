@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "parallel/work_queue.h"
 #include "rayshade/common/keyed_random.h"
 
 namespace rayshade::parallel {
@@ -55,14 +56,17 @@ FaultPlan PlanFaults(uint64_t seed) {
   if (draw.Chance(0.3)) plan.slow_links = 0.3 * draw.Unit();
   if (draw.Chance(0.3)) plan.stalls = 0.05 * draw.Unit();
   plan.works_first = draw.Chance(0.2) ? 0 : draw.Chance(0.2) ? 0.97 : draw.Unit();
+  if (draw.Chance(0.4) && ForwardsRays(o.schedule)) o.shadows = Shadows::kTravel;
   return plan;
 }
 
 std::string FaultPlan::Text() const {
-  return std::string(Name(options.schedule)) + ", " + std::to_string(options.processes) +
-         " processes, pyramids of " + std::to_string(options.pyramid) + ", rays in flight " +
-         Size(options.rays_in_flight) + ", cells of " + std::to_string(options.cell_bytes) +
-         " bytes, cache " + Size(options.cache) + ", resident " + std::to_string(options.resident) +
+  return std::string(Name(options.schedule)) +
+         (options.shadows == Shadows::kTravel ? ", travelling shadows, " : ", ") +
+         std::to_string(options.processes) + " processes, pyramids of " +
+         std::to_string(options.pyramid) + ", rays in flight " + Size(options.rays_in_flight) +
+         ", cells of " + std::to_string(options.cell_bytes) + " bytes, cache " +
+         Size(options.cache) + ", resident " + std::to_string(options.resident) +
          (tight_memory ? ", tight memory" : "");
 }
 

@@ -65,6 +65,35 @@ void Invariants::Answer(const ReturnAddress& back, const SimulatedMessage& messa
   rays_.erase(it);
 }
 
+// A shadow ray is followed at its spawner as well, where it may come by again.
+void Invariants::ShadowLeaves(const ReturnAddress& back, const SimulatedMessage& message) {
+  const auto key = std::make_pair(back.process, back.token);
+  const auto it = shadows_.find(key);
+  if (it == shadows_.end() && message.from == back.process) {
+    shadows_.emplace(key, Place{message.to, true});
+    return;
+  }
+  if (it == shadows_.end() || it->second.process != message.from || it->second.under_way)
+    Broken("shadow " + NameOfRay(back) + " is not with its sender: " + NameOfMessage(message));
+  it->second = {message.to, true};
+}
+
+void Invariants::ShadowComes(const ReturnAddress& back, const SimulatedMessage& message) {
+  const auto it = shadows_.find({back.process, back.token});
+  if (it == shadows_.end() || !it->second.under_way || it->second.process != message.to)
+    Broken("shadow " + NameOfRay(back) + " comes unsent");
+  it->second.under_way = false;
+}
+
+void Invariants::ShadowIsAnswered(const ReturnAddress& back, const SimulatedMessage& message) {
+  const auto it = shadows_.find({back.process, back.token});
+  if (it == shadows_.end() || it->second.process != message.from || it->second.under_way) {
+    Broken("shadow " + NameOfRay(back) +
+           " is answered twice or by a stranger: " + NameOfMessage(message));
+  }
+  shadows_.erase(it);
+}
+
 void Invariants::CheckSilence(const SimulatedMessage& message) const {
   if (stopped_[message.from]) Broken(NameOfMessage(message) + ", which had stopped");
   if (message.from == kHost && TagOf(message.bytes) != Tag::kStop &&
@@ -79,6 +108,8 @@ void Invariants::OnSend(const SimulatedMessage& message) {
   const RaysOfMessage rays = RaysOf(message.bytes, message.to);
   for (const ReturnAddress& back : rays.travelling) Leave(back, message);
   for (const ReturnAddress& back : rays.finished) Answer(back, message);
+  for (const ReturnAddress& back : rays.shadows_travelling) ShadowLeaves(back, message);
+  for (const ReturnAddress& back : rays.shadows_finished) ShadowIsAnswered(back, message);
   in_messages_ += rays.size();
   switch (TagOf(message.bytes)) {
     case Tag::kWorkRequest:
@@ -113,6 +144,7 @@ void Invariants::OnSend(const SimulatedMessage& message) {
 void Invariants::OnTake(const SimulatedMessage& message) {
   const RaysOfMessage rays = RaysOf(message.bytes, message.to);
   for (const ReturnAddress& back : rays.travelling) Come(back, message);
+  for (const ReturnAddress& back : rays.shadows_travelling) ShadowComes(back, message);
   in_messages_ -= rays.size();
   if (TagOf(message.bytes) == Tag::kCellReply) --cells_[message.to];
 }
@@ -148,6 +180,10 @@ void Invariants::OnEvent() {
 void Invariants::AtEnd() const {
   if (!rays_.empty())
     Broken(NameOfRay({rays_.begin()->first.first, rays_.begin()->first.second}) + " is left over");
+  if (!shadows_.empty()) {
+    const auto& [process, token] = shadows_.begin()->first;
+    Broken("shadow " + NameOfRay({process, token}) + " is left over");
+  }
   if (!cell_requests_.empty()) Broken("a cell that nobody sent");
   for (size_t i = 1; i < processes_->all.size(); ++i) {
     if (!processes_->all[i]->finished())

@@ -5,7 +5,7 @@
 //   1. Every ray is at exactly one place: a process handles or answers no ray that is not with it.
 //   2. Rays created = answered + in flight: a primary ray has, from its hand-out to its result,
 //   exactly one ray, hit or result on its way, in a process or in a message.
-//   3. One answer per slot, one result per primary ray.
+//   3. One answer per slot, one result per primary ray, one per shadow ray that travels.
 //   4. Budgets are kept: primary rays in flight, bytes held, requests for work and for cells. Each
 //   request is answered once.
 //   5. Nobody is idle while its inbox holds a message.
@@ -54,13 +54,17 @@ class Invariants : public SimulatorListener {
   void Leave(const ReturnAddress& back, const SimulatedMessage& message);
   void Come(const ReturnAddress& back, const SimulatedMessage& message);
   void Answer(const ReturnAddress& back, const SimulatedMessage& message);
+  void ShadowLeaves(const ReturnAddress& back, const SimulatedMessage& message);
+  void ShadowComes(const ReturnAddress& back, const SimulatedMessage& message);
+  void ShadowIsAnswered(const ReturnAddress& back, const SimulatedMessage& message);
   void CheckSilence(const SimulatedMessage& message) const;
 
   const RunOptions& options_;
   const RunProcesses* processes_;
   const Simulator* simulator_;
-  Rays rays_;                         // that are away from where they were spawned
-  size_t in_messages_ = 0;            // rays, hits and results in messages
+  Rays rays_;               // that are away from where they were spawned
+  Rays shadows_;            // shadow rays that travel, from their first task to their answer
+  size_t in_messages_ = 0;  // rays, hits and results in messages
   std::vector<size_t> in_processes_;  // by process
   size_t in_all_processes_ = 0;
   std::vector<int> work_requests_;  // by process: not answered

@@ -48,6 +48,12 @@ struct Addresses {
     for (const PixelItem& p : m.misses) Finished(p.token);
     for (const PixelItem& p : m.hits) Finished(p.token);
   }
+  void operator()(const ShadowTask& m) const {
+    for (const ShadowTravel& s : m.rays) rays->shadows_travelling.push_back(s.back);
+  }
+  void operator()(const ShadowResults& m) const {
+    for (const ShadowItem& s : m.results) rays->shadows_finished.push_back({to, s.token});
+  }
 };
 
 struct Words {
@@ -77,6 +83,12 @@ struct Words {
   void operator()(const PixelResults& m) const {
     Add(m.misses.size() + m.hits.size(), "pixel", "pixels", text);
     Add(m.voids.size(), "void", "voids", text);
+  }
+  void operator()(const ShadowTask& m) const {
+    Add(m.rays.size(), "shadow ray", "shadow rays", text);
+  }
+  void operator()(const ShadowResults& m) const {
+    Add(m.results.size(), "shadow result", "shadow results", text);
   }
   void operator()(const CellRequest& m) const { *text = "cell " + std::to_string(m.cell); }
   void operator()(const CellReply& m) const {

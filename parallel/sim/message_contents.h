@@ -15,6 +15,9 @@ struct RaysOfMessage {
   std::vector<ReturnAddress> travelling;  // rays and hits
   std::vector<ReturnAddress> finished;    // results; the process is the receiver
   size_t size() const { return travelling.size() + finished.size(); }
+
+  // Of shadow rays, beside these: the hits that wait for them are counted where they wait.
+  std::vector<ReturnAddress> shadows_travelling, shadows_finished;
 };
 RaysOfMessage RaysOf(std::span<const uint8_t> message, ProcessId to);
 

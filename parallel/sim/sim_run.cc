@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <stdexcept>
+#include <string_view>
 
 #include "parallel/sim/sequential_base.h"
 #include "parallel/timeline.h"
@@ -35,6 +36,10 @@ RunOptions OptionsFor(const ParallelOptions& parallel, const Machine& machine) {
   machines.count = static_cast<int>(machine.nodes);
   if (parallel.processes) machines.count = (*parallel.processes - 1) / machines.processors + 1;
   return DefaultsFor(parallel, machines);
+}
+
+bool IsOutOfMemory(const std::runtime_error& e) {
+  return std::string_view(e.what()).starts_with("out of memory");
 }
 
 }  // namespace
@@ -142,18 +147,48 @@ bool SimRun::RenderFrame(int frame) {
   return true;
 }
 
+RunOptions SimRun::OptionsForFewer(int processes) const {
+  ParallelOptions fewer = sim_.parallel;
+  fewer.processes = static_cast<uint16_t>(processes);
+  return OptionsFor(fewer, machine_);
+}
+
+// Whether the host would begin a run of so many processes.
+bool SimRun::MayFit(int processes, int frame) const {
+  try {
+    HostProcess(OptionsForFewer(processes), spool_, frame);
+    return true;
+  } catch (const std::runtime_error& e) {
+    if (!IsOutOfMemory(e)) throw;
+    return false;
+  }
+}
+
+// The least number from `least` on that may fit, by doubling and halving: what does not fit one
+// number of processes does not fit fewer. The run's own number is taken to fit.
+int SimRun::LeastThatMayFit(int least, int frame) const {
+  int below = least - 1, fits = least;
+  while (fits < run_.processes && !MayFit(fits, frame)) {
+    below = fits;
+    fits = std::min<int>(2 * fits, run_.processes);
+  }
+  while (fits - below > 1) {
+    const int middle = below + (fits - below) / 2;
+    (MayFit(middle, frame) ? fits : below) = middle;
+  }
+  return fits;
+}
+
 // Tracing by the least number of processes that the machine's memory allows.
 double SimRun::SmallestSeconds(int frame) {
-  for (int n = std::max(smallest_, 1); n < run_.processes; ++n) {
-    ParallelOptions fewer = sim_.parallel;
-    fewer.processes = static_cast<uint16_t>(n);
+  for (int n = LeastThatMayFit(std::max(smallest_, 1), frame); n < run_.processes; ++n) {
     try {
-      SimulatedFrame run(machine_, OptionsFor(fewer, machine_), sim_.schedule_seed, spool_, frame);
+      SimulatedFrame run(machine_, OptionsForFewer(n), sim_.schedule_seed, spool_, frame);
       run.Run();
       smallest_ = n;
       return run.trace_seconds();
-    } catch (const std::runtime_error&) {
-      continue;  // out of memory: one more process
+    } catch (const std::runtime_error& e) {
+      if (!IsOutOfMemory(e)) throw;  // else: one more process
     }
   }
   smallest_ = run_.processes;

@@ -63,6 +63,9 @@ class SimRun {
 
  private:
   bool RenderFrame(int frame);
+  RunOptions OptionsForFewer(int processes) const;
+  bool MayFit(int processes, int frame) const;
+  int LeastThatMayFit(int least, int frame) const;
   double SmallestSeconds(int frame);
   void Finish();
 

@@ -108,13 +108,18 @@ void Simulator::Step(ProcessId id) {
   if (!made) return;
 
   const WorkDone done = state.process->work_done();
-  double end = now_ + timing_->StepSeconds(id, state.done, done);
-  if (taken > 0) end += timing_->ReceiveSeconds(taken);
+  double seconds = timing_->StepSeconds(id, state.done, done);
+  if (taken > 0) seconds += timing_->ReceiveSeconds(taken);
   state.done = done;
+  departures_.clear();  // each message leaves when it is sent, in seconds since the step began
   for (const uint32_t parcel : outgoing_) {
-    end += timing_->SendSeconds(parcels_[parcel].bytes.size());
-    Push(end, Kind::kDepart, parcel);
+    seconds += timing_->SendSeconds(parcels_[parcel].bytes.size());
+    departures_.push_back(seconds);
   }
+  const double end = timing_->FreeAt(id, seconds, now_);
+  const double stretch = seconds > 0 ? (end - now_) / seconds : 1;
+  for (size_t i = 0; i < outgoing_.size(); ++i)
+    Push(now_ + stretch * departures_[i], Kind::kDepart, outgoing_[i]);
   outgoing_.clear();
   Push(end, Kind::kFree, id);
   if (!meters_.empty()) {

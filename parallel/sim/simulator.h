@@ -129,6 +129,7 @@ class Simulator {
   std::vector<SimulatedMessage> parcels_;
   std::vector<uint32_t> free_parcels_;
   std::vector<uint32_t> outgoing_;                     // of the step being made
+  std::vector<double> departures_;                     // of these
   std::unordered_map<uint32_t, double> last_arrival_;  // by link; looked up only
   std::priority_queue<Event, std::vector<Event>, std::greater<Event>> events_;
   uint64_t sequence_ = 0;

@@ -37,6 +37,12 @@ MachineTiming::MachineTiming(const Machine& machine, size_t processes, uint64_t 
     : machine_(machine), random_(MixBits(seed)) {
   out_free_.resize(processes + 1);
   in_free_.resize(processes + 1);
+  busy_until_.resize(processes);
+  node_processes_.resize(processes + 1);
+  for (size_t p = 0; p < processes; ++p) {
+    const auto process = static_cast<ProcessId>(p);
+    node_processes_[NodeOf(process)].push_back(process);
+  }
 }
 
 size_t MachineTiming::NodeOf(ProcessId process) const {
@@ -48,6 +54,13 @@ double MachineTiming::StepSeconds(ProcessId, const WorkDone& before, const WorkD
   random_ = MixBits(random_);
   return (machine_.step + CostBetween(machine_, before, after)) *
          (1 + machine_.jitter * UnitOf(random_));
+}
+
+double MachineTiming::FreeAt(ProcessId process, double seconds, double now) {
+  double busy = 1;
+  for (const ProcessId other : node_processes_[NodeOf(process)])
+    if (other != process && busy_until_[other] > now) ++busy;
+  return busy_until_[process] = now + seconds * std::max(1.0, busy / machine_.processors);
 }
 
 double MachineTiming::SendSeconds(size_t bytes) {

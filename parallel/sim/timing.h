@@ -21,6 +21,8 @@ class Timing {
   virtual double ReceiveSeconds(size_t bytes) = 0;
   // A message leaves its sender now, bytes long: when it is there. Called in order of `now`.
   virtual double ArrivalTime(ProcessId from, ProcessId to, size_t bytes, double now) = 0;
+  // A process is busy from now on for so many seconds of a processor's: until when.
+  virtual double FreeAt(ProcessId, double seconds, double now) { return now + seconds; }
   // Whether the process works once more before it takes in what has arrived.
   virtual bool WorksFirst(ProcessId) { return false; }
 };
@@ -36,6 +38,10 @@ class MachineTiming : public Timing {
   double SendSeconds(size_t bytes) override;
   double ReceiveSeconds(size_t bytes) override;
   double ArrivalTime(ProcessId from, ProcessId to, size_t bytes, double now) override;
+  // Where more processes of a node are busy than it has processors (the host beside its trace
+  // processes), they share them: a step takes longer by as much as there are too many when it
+  // begins.
+  double FreeAt(ProcessId process, double seconds, double now) override;
 
   size_t NodeOf(ProcessId process) const;
 
@@ -44,6 +50,8 @@ class MachineTiming : public Timing {
   uint64_t random_;
   std::vector<double> out_free_, in_free_;  // ports, by node: free from then on
   double shared_free_ = 0;
+  std::vector<double> busy_until_;                      // by process
+  std::vector<std::vector<ProcessId>> node_processes_;  // by node
 };
 
 // Seconds that the counted work costs on the machine.

@@ -3,6 +3,8 @@
 #   agreement.sh BUILD [measure|simulate|compare]
 # (all three, in turn, unless one is named). Prints each comparison with its bar; the status is 0 where all are met.
 # AGREEMENT_ROUNDS (default 3): real tracing times are the medians of so many runs. AGREEMENT_PIXELS (default 512).
+# A shared machine is not equally fast all the time: each run has a sequential run of balls4 beside it, of which make calibrate
+# has measured the time as well, and its own time is taken in proportion.
 set -u
 cd "$(dirname "$0")/../.." || exit 2
 build=$(cd "$1" && pwd) || exit 2
@@ -24,11 +26,19 @@ each() { # each FUNCTION: FUNCTION NAME SCENE OPTIONS...
     done
   done
 }
+beside() { # seconds of the run beside
+  "$build/rayshade" -q -R 512 512 --stats "$out/beside.json" -O "$out/beside.png" "$build/calibrate/balls4.ray" || exit 1
+  value "$out/beside.json" trace_seconds
+}
 measure() {
-  local name=$1 scene=$2 i; shift 2
+  local name=$1 scene=$2 i calibrated before after; shift 2
+  calibrated=$(awk '$1 == "balls4-512" { print $2 }' "$build/calibrate/runs.txt")
   for ((i = 1; i <= rounds; i++)); do
+    before=$(beside) || exit 1
     "$build/prayshade" "$@" --stats "$out/$name.json" -O "$out/$name.png" "$out/$scene.ray" || exit 1
-    value "$out/$name.json" trace_seconds >>"$out/$name.times"
+    after=$(beside) || exit 1
+    awk -v seconds="$(value "$out/$name.json" trace_seconds)" -v a="$before" -v b="$after" -v calibrated="$calibrated" \
+      'BEGIN { printf "%.6f %.6f\n", seconds * calibrated / ((a + b) / 2), seconds }' >>"$out/$name.times"
   done
 }
 simulate() {

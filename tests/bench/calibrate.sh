@@ -1,6 +1,7 @@
 #!/bin/bash
 # `make calibrate`: measures this machine for the simulator: calibrate.sh BUILD
-#   1. operations: sequential runs of eight scenes, unit costs by least squares (fit.awk);
+#   1. operations: sequential runs of eight scenes, and the steps of host and trace processes without PVM (step_costs),
+#      unit costs by least squares (fit.awk);
 #   2. messages: ping_pong over PVM, by the project's own transport.
 # Writes BUILD/this.machine, which `make agreement` uses, brings the lines of parallel/sim/machines/*.machine that are
 # tagged `measured` up to date, and fits powerxplorer's slowness anew. CALIBRATE_ROUNDS (default 3): the least time counts.
@@ -22,7 +23,7 @@ echo "$view plane s 0 0 -1 0 -.7 1" >"$out/plane.ray"
 { echo "$view"; for i in {1..30}; do echo "light .03 point $i 1 20"; done; echo "plane s 0 0 -1 0 -.7 1"; } >"$out/lights.ray"
 
 # Operations.
-echo "ray node_visit primitive_test shade light_sample sample" >"$out/runs.txt"
+"$build/step_costs" >"$out/runs.txt" || fail "step_costs"
 for scene in sky plane lights balls4 balls5 balls6 room8 room30; do
   for pixels in 256 512; do
     least=
@@ -32,17 +33,31 @@ for scene in sky plane lights balls4 balls5 balls6 room8 room30; do
       least=$(awk -v a="$seconds" -v b="${least:-$seconds}" 'BEGIN { print a < b ? a : b }')
     done
     line="$scene-$pixels $least $(value "$out/run.json" rays.total)"
-    for name in node_visits primitive_tests shades light_samples; do line="$line $(value "$out/run.json" operations.$name)"; done
-    echo "$line $((2 * $(value "$out/run.json" rays.primary)))" >>"$out/runs.txt"
-    [ "$scene-$pixels" != balls6-512 ] || object=$(awk -v s="$(value "$out/run.json" build_seconds)" \
-      -v n="$(value "$out/run.json" objects)" 'BEGIN { printf "%.4g", s / n }')
+    for name in node_visits primitive_tests cell_steps shades light_samples; do line="$line $(value "$out/run.json" operations.$name)"; done
+    echo "$line 0 $((2 * $(value "$out/run.json" rays.primary))) 0 0" >>"$out/runs.txt"
   done
 done
+for ((i = 0; i < rounds; i++)); do
+  for scene in lights balls4 balls5 balls6 room8; do
+    for schedule in data-parallel hybrid; do
+      for processes in 1 3; do
+        "$build/step_costs" "$scene-$schedule-$processes" "$out/$scene.ray" 256 $schedule $processes || fail "step_costs $scene"
+      done
+    done
+  done
+done | awk '!($1 in least) || $2 < least[$1] { least[$1] = $2; line[$1] = $0 } END { for (name in line) print line[name] }' |
+  sort >>"$out/runs.txt"
+[ "${PIPESTATUS[0]}" = 0 ] || exit 1
 awk -f tests/bench/fit.awk "$out/runs.txt" >"$out/measured.txt" || fail "fit.awk"
-echo "object $object" >>"$out/measured.txt"
 
 # Messages.
 pvm_conf/private-vm "$build/ping_pong" >>"$out/measured.txt" || fail "ping_pong"
+# A byte costs its encoding and its way through PVM.
+awk '{ cost[$1] = $2 }
+  END {
+    cost["pack"] += cost["send_byte"]; cost["unpack"] += cost["receive_byte"]
+    for (name in cost) if (name !~ /_byte$/) print name, cost[name]
+  }' "$out/measured.txt" | sort >"$out/costs.txt"
 
 # This machine.
 awk -v processors="$(nproc)" -v memory="$(awk '/^MemTotal/ { printf "%.0f", 1024 * $2 }' /proc/meminfo)" '
@@ -51,17 +66,16 @@ awk -v processors="$(nproc)" -v memory="$(awk '/^MemTotal/ { printf "%.0f", 1024
     print "# This machine, by make calibrate."
     print "nodes 1 measured\nprocessors", processors, "measured\nmemory", memory, "measured\nsystem 0 assumed"
     print "host_apart 0 assumed\nslowness 1 measured\nnode_slowness 1 measured"
-    print "cell_step", cost["node_visit"], "assumed as a node_visit"
     for (name in cost) print name, cost[name], "measured"
     print "latency 0 assumed there is one node\ngap 0 assumed\nshared_gap 0 assumed\njitter 0 assumed"
-  }' "$out/measured.txt" >"$build/this.machine" || exit 1
+  }' "$out/costs.txt" >"$build/this.machine" || exit 1
 cat "$build/this.machine"
 
 # The project's machines: values of lines tagged `measured`; columns stay where they are.
 for file in "$machines"/*.machine; do
-  awk -v measured="$out/measured.txt" '
-    BEGIN { while ((getline line < measured) > 0) { split(line, part, " "); cost[part[1]] = part[2] } cost["cell_step"] = cost["node_visit"] }
-    ($1 in cost) && ($3 == "measured" || $1 == "cell_step") { sub(/[^ ]+ */, sprintf("%-16s ", $1)); sub(/ [^ ]+ +[a-z]+/, sprintf(" %-10s %s", cost[$1], $3)) }
+  awk -v measured="$out/costs.txt" '
+    BEGIN { while ((getline line < measured) > 0) { split(line, part, " "); cost[part[1]] = part[2] } }
+    ($1 in cost) && $3 == "measured" { sub(/[^ ]+ */, sprintf("%-16s ", $1)); sub(/ [^ ]+ +[a-z]+/, sprintf(" %-10s %s", cost[$1], $3)) }
     { print }' "$file" >"$out/new.machine" && cp "$out/new.machine" "$file" || fail "$file"
 done
 file=$machines/powerxplorer.machine

@@ -3,8 +3,8 @@
 // machine: pvm_conf/private-vm build/ping_pong. It spawns itself as the other side.
 //
 //   step                       looking for messages where there is none
-//   send + bytes x pack        encoding rays, and handing the message to PVM
-//   receive + bytes x unpack   taking in a message that is there, and decoding it
+//   send + bytes x send_byte         handing a message to PVM
+//   receive + bytes x receive_byte   taking in a message that is there
 //   local_latency + bytes x local_gap   what is left of the way to and fro
 #include <pvm3.h>
 #include <unistd.h>
@@ -63,15 +63,15 @@ void Pong() {
   do {
     transport.Receive(1, &arrival);
   } while (arrival.kind != Arrival::Kind::kStart);
-  RayTask task;
+  std::vector<uint8_t> task;
   while (true) {
     Await(&transport, &arrival);
     if (arrival.kind == Arrival::Kind::kLeave) return;
     if (TagOf(arrival.bytes) == Tag::kRayTask) {
-      task = Decode<RayTask>(arrival.bytes);
-      transport.Send(kHost, Encode(task));
+      task = arrival.bytes;
+      transport.Send(kHost, task);
     } else {
-      for (int i = 0; i < kAtOnce; ++i) transport.Send(kHost, Encode(task));
+      for (int i = 0; i < kAtOnce; ++i) transport.Send(kHost, task);
       transport.Send(kHost, Encode(WorkRequest{}));
     }
   }
@@ -89,11 +89,11 @@ Cost Measure(PvmTransport* transport, size_t rays) {
   Arrival arrival;
   std::vector<double> trips, sends, receives;
   for (int i = 0; i < kRounds; ++i) {
+    std::vector<uint8_t> bytes = Encode(task);
     const Clock::time_point begin = Clock::now();
-    transport->Send(1, Encode(task));
+    transport->Send(1, std::move(bytes));
     const double sent = Since(begin);
     Await(transport, &arrival);
-    Decode<RayTask>(arrival.bytes);
     if (i < kRounds / 10) continue;  // the route is being made
     trips.push_back(Since(begin));
     sends.push_back(sent);
@@ -106,7 +106,6 @@ Cost Measure(PvmTransport* transport, size_t rays) {
       const Clock::time_point begin = Clock::now();
       transport->Receive(0, &arrival);
       if (arrival.kind != Arrival::Kind::kMessage) break;
-      Decode<RayTask>(arrival.bytes);
       receives.push_back(Since(begin));
     }
     while (arrival.kind != Arrival::Kind::kMessage || TagOf(arrival.bytes) != Tag::kWorkRequest)
@@ -156,8 +155,8 @@ int Ping() {
   for (const Cost& c : costs)
     std::fprintf(stderr, "%6.0f bytes: round trip %.2f us, send %.2f us, receive %.2f us\n",
                  c.bytes, 1e6 * c.round_trip, 1e6 * c.send, 1e6 * c.receive);
-  PrintLine("send", "pack", costs, [](const Cost& c) { return c.send; });
-  PrintLine("receive", "unpack", costs, [](const Cost& c) { return c.receive; });
+  PrintLine("send", "send_byte", costs, [](const Cost& c) { return c.send; });
+  PrintLine("receive", "receive_byte", costs, [](const Cost& c) { return c.receive; });
   PrintLine("local_latency", "local_gap", costs,
             [](const Cost& c) { return std::max(0.0, c.round_trip / 2 - c.send - c.receive); });
   return 0;

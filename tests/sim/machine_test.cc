@@ -91,5 +91,18 @@ TEST(MachineTiming, AMessageTakesLatencyAndTheGapOfItsBytesAndWaitsForThePortsIn
       << "behind the first at its sender";
 }
 
+// Two processors, the host beside two trace processes: three that are busy at once share them.
+TEST(MachineTiming, ProcessesOfANodeShareItsProcessors) {
+  Machine machine = FindMachine("cluster-1g");
+  machine.processors = 2;
+  machine.host_apart = 0;
+  MachineTiming timing(machine, 5, 1);
+  EXPECT_DOUBLE_EQ(timing.FreeAt(1, 1, 0), 1);
+  EXPECT_DOUBLE_EQ(timing.FreeAt(2, 1, 0), 1);
+  EXPECT_DOUBLE_EQ(timing.FreeAt(3, 1, 0), 1) << "on another node";
+  EXPECT_DOUBLE_EQ(timing.FreeAt(kHost, 1, 0.5), 2) << "the third of three on two processors";
+  EXPECT_DOUBLE_EQ(timing.FreeAt(1, 1, 1), 2) << "process 2 is free again";
+}
+
 }  // namespace
 }  // namespace rayshade::parallel

@@ -58,6 +58,16 @@ class InvariantsOfARun : public testing::Test {
     task.travel.emplace_back().back = {spawner, token};
     return task;
   }
+  static ShadowTask Shadow(ProcessId spawner, uint64_t token) {
+    ShadowTask task;
+    task.rays.emplace_back().back = {spawner, token};
+    return task;
+  }
+  static ShadowResults Arrives(uint64_t token) {
+    ShadowResults results;
+    results.results.push_back({token, true, {}});
+    return results;
+  }
   static PixelResults Void(uint64_t token) {
     PixelResults results;
     results.voids.push_back(token);
@@ -104,6 +114,21 @@ TEST_F(InvariantsOfARun, ASlotHasOneAnswer) {
   Take(1, 2, Secondary(1, 8));
   Send(2, 1, results);
   ExpectBroken(2, 1, results, "is answered twice or by a stranger");
+}
+
+TEST_F(InvariantsOfARun, AShadowRayThatTravelsHasOneAnswer) {
+  ExpectBroken(2, 1, Arrives(8), "is answered twice or by a stranger");
+  Send(1, 2, Shadow(1, 8));
+  ExpectBroken(1, 3, Shadow(1, 8), "is not with its sender");
+  ExpectBroken(2, 1, Arrives(8), "is answered twice or by a stranger");  // not taken in yet
+  Take(1, 2, Shadow(1, 8));
+  Send(2, 1, Shadow(1, 8));  // by way of its spawner
+  Take(2, 1, Shadow(1, 8));
+  Send(1, 3, Shadow(1, 8));
+  Take(1, 3, Shadow(1, 8));
+  EXPECT_THROW(invariants_->AtEnd(), BrokenInvariant);
+  Send(3, 1, Arrives(8));
+  ExpectBroken(3, 1, Arrives(8), "is answered twice or by a stranger");
 }
 
 TEST_F(InvariantsOfARun, RequestsAreFewAndAnsweredOnce) {

@@ -1,0 +1,146 @@
+// step_costs: what the processes of a run do while tracing, and how long that takes on this
+// machine, without PVM: step_costs NAME SCENE PIXELS SCHEDULE PROCESSES. The processes run in one
+// address space; each call of Receive and Work is measured. Prints two lines, NAME-host and
+// NAME-trace: seconds, then what was done as the constants of a machine name it, in the order of
+// kNames. Without arguments: the names.
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "parallel/object_spool.h"
+#include "parallel/parallel_options.h"
+#include "parallel/sim/run_processes.h"
+#include "parallel/sim/timing.h"
+#include "rayshade/common/diagnostics.h"
+#include "rayshade/scene/parse.h"
+
+namespace rayshade::parallel {
+namespace {
+
+constexpr char kNames[] =
+    "ray node_visit primitive_test cell_step shade light_sample object sample pack unpack";
+
+struct Done {
+  double seconds = 0;
+  WorkDone work;
+  uint64_t packed = 0, unpacked = 0;  // bytes
+};
+
+// Lets a process work, and adds up while the run traces.
+class MeasuredProcess : public Process {
+ public:
+  MeasuredProcess(Process* process, const HostProcess* host, Done* done)
+      : process_(process), host_(host), done_(done) {}
+
+  void Receive(ProcessId from, std::span<const uint8_t> message, Outbox* outbox) override {
+    Measure(outbox, message.size(), [&](Outbox* o) {
+      process_->Receive(from, message, o);
+      return true;
+    });
+  }
+  bool Work(Outbox* outbox) override {
+    return Measure(outbox, 0, [&](Outbox* o) { return process_->Work(o); });
+  }
+  bool finished() const override { return process_->finished(); }
+  WorkDone work_done() const override { return process_->work_done(); }
+
+ private:
+  struct CountingOutbox : Outbox {
+    explicit CountingOutbox(Outbox* o) : outbox(o) {}
+    void Send(ProcessId to, std::vector<uint8_t> bytes) override {
+      sent += bytes.size();
+      outbox->Send(to, std::move(bytes));
+    }
+    Outbox* outbox;
+    uint64_t sent = 0;
+  };
+
+  template <class Call>
+  bool Measure(Outbox* outbox, uint64_t received, const Call& call) {
+    CountingOutbox counting(outbox);
+    const bool traces = host_->phase() == HostProcess::Phase::kTrace;
+    const WorkDone before = process_->work_done();
+    const auto begin = std::chrono::steady_clock::now();
+    const bool more = call(&counting);
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+    if (!traces) return more;
+    const WorkDone after = process_->work_done();
+    done_->seconds += spent.count();
+    done_->packed += counting.sent;
+    done_->unpacked += received;
+    OpCounts& counts = done_->work.counts;
+    counts.primary_rays += after.counts.total_rays() - before.counts.total_rays();
+    counts.node_visits += after.counts.node_visits - before.counts.node_visits;
+    counts.primitive_tests += after.counts.primitive_tests - before.counts.primitive_tests;
+    counts.cell_steps += after.counts.cell_steps - before.counts.cell_steps;
+    counts.shades += after.counts.shades - before.counts.shades;
+    counts.light_samples += after.counts.light_samples - before.counts.light_samples;
+    done_->work.objects_taken += after.objects_taken - before.objects_taken;
+    done_->work.samples += after.samples - before.samples;
+    return more;
+  }
+
+  Process* process_;
+  const HostProcess* host_;
+  Done* done_;
+};
+
+void Print(const std::string& name, const Done& done) {
+  const OpCounts& c = done.work.counts;
+  std::printf("%s %.6f", name.c_str(), done.seconds);
+  for (const uint64_t n :
+       {c.total_rays(), c.node_visits, c.primitive_tests, c.cell_steps, c.shades, c.light_samples,
+        done.work.objects_taken, done.work.samples, done.packed, done.unpacked})
+    std::printf(" %llu", static_cast<unsigned long long>(n));
+  std::printf("\n");
+}
+
+int Measure(char** argument) {
+  Options options;
+  options.program = "step_costs";
+  options.input = argument[2];
+  options.resolution = {std::atoi(argument[3]), std::atoi(argument[3])};
+  Diagnostics diagnostics(options.program);
+  ObjectSpool spool;
+  if (!ParseScene(options, &diagnostics, &spool)) return 1;
+  spool.Place(0);
+  options.extra = {{"schedule", argument[4]}, {"processes", argument[5]}, {"memory", "2G"}};
+  options.extra.insert(options.extra.end(), {{"resident", "256K"}, {"cache", "256M"}});
+  RunProcesses run(DefaultsFor(ParseParallelOptions(options), {1, 2, uint64_t{4} << 30}), &spool,
+                   0);
+
+  Done host, trace;
+  std::vector<std::unique_ptr<MeasuredProcess>> measured;
+  std::vector<Process*> all;
+  for (Process* process : run.all) {
+    measured.push_back(
+        std::make_unique<MeasuredProcess>(process, &run.host, all.empty() ? &host : &trace));
+    all.push_back(measured.back().get());
+  }
+  MachineTiming timing(FindMachine("cluster-1g"), all.size(), 1);
+  Simulator(all, &timing).Run();
+  if (!run.host.failure().empty()) throw std::runtime_error(run.host.failure());
+  Print(std::string(argument[1]) + "-host", host);
+  Print(std::string(argument[1]) + "-trace", trace);
+  return 0;
+}
+
+}  // namespace
+}  // namespace rayshade::parallel
+
+int main(int argc, char** argv) {
+  if (argc != 6) {
+    std::printf("%s\n", rayshade::parallel::kNames);
+    return argc == 1 ? 0 : 2;
+  }
+  try {
+    return rayshade::parallel::Measure(argv);
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "step_costs: %s\n", e.what());
+    return 1;
+  }
+}
