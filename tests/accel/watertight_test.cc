@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "rayshade/accel/object_set.h"
+#include "tests/support/random.h"
 
 namespace rayshade {
 namespace {
@@ -22,17 +23,9 @@ constexpr const char* kAllKernels[] = {"plain", "avx2", "avx512"};
 constexpr double kFarthest = 1e8;  // of the origins, in sizes of the mesh
 constexpr int kRaysPerDistance = 200;
 
-using Random = std::mt19937_64;
-
-double Uniform(Random* random, double low, double high) {
-  return low + (high - low) * (static_cast<double>((*random)() >> 11) * 0x1.0p-53);
-}
-
-Vector RandomDirection(Random* random) {
-  const double z = Uniform(random, -1, 1), turn = Uniform(random, 0, 2 * kPi);
-  const double rho = std::sqrt(1 - z * z);
-  return {rho * std::cos(turn), rho * std::sin(turn), z};
-}
+using test::Random;
+using test::RandomDirection;
+using test::Uniform;
 
 // A surface of flat faces, and where they meet.
 struct Mesh {

@@ -13,24 +13,13 @@
 #include <vector>
 
 #include "tests/shade/text_scene.h"
+#include "tests/support/random.h"
 
 namespace rayshade::test {
 namespace {
 
 constexpr double kTolerance = 1e-12;
 constexpr int kRays = 500;
-
-using Random = std::mt19937_64;
-
-double Uniform(Random* random, double low, double high) {
-  return low + (high - low) * (static_cast<double>((*random)() >> 11) * 0x1.0p-53);
-}
-
-Vector RandomDirection(Random* random) {
-  const double z = Uniform(random, -1, 1), turn = Uniform(random, 0, 2 * kPi);
-  const double rho = std::sqrt(1 - z * z);
-  return {rho * std::cos(turn), rho * std::sin(turn), z};
-}
 
 void ExpectColor(const Color& expected, const Color& actual) {
   EXPECT_NEAR(expected.r, actual.r, kTolerance);
