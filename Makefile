@@ -28,6 +28,8 @@ PVM_ROOT ?= /usr/lib/pvm3
 export PVM_ROOT
 ifdef SAN
 CXXFLAGS += -fsanitize=$(SAN) -fno-sanitize-recover=all -fno-omit-frame-pointer
+# GCC 12 is wrong about inlined library code once it is instrumented.
+CXXFLAGS += $(if $(findstring clang,$(CXX)),,-Wno-maybe-uninitialized)
 LDFLAGS += -fsanitize=$(SAN)
 endif
 
