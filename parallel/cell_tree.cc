@@ -33,14 +33,15 @@ RayInterval Intersect(const Bounds& box, const Vector& origin, const Vector& dir
   return {entry - kOutwards * std::abs(entry), exit + kOutwards * std::abs(exit)};
 }
 
-CellTree::CellTree(const Bounds& bounds) : bounds_(bounds), nodes_(1), cells_(1), leaves_{0} {}
+CellTree::CellTree(const Bounds& bounds)
+    : bounds_(bounds), margin_(MarginOf(bounds)), nodes_(1), cells_(1), leaves_{0} {}
 
-double CellTree::margin() const {
+double CellTree::MarginOf(const Bounds& bounds) {
   double largest = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    largest = std::max({largest, std::abs(bounds_.low[axis]), std::abs(bounds_.high[axis])});
+    largest = std::max({largest, std::abs(bounds.low[axis]), std::abs(bounds.high[axis])});
   }
-  return bounds_.empty() ? 0 : 1e-10 * largest;
+  return bounds.empty() ? 0 : 1e-10 * largest;
 }
 
 CellId CellTree::Cut(CellId cell, int axis, double plane) {

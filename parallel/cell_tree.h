@@ -69,8 +69,8 @@ class CellTree {
   CellId Cut(CellId cell, int axis, double plane);
 
   const Bounds& bounds() const { return bounds_; }
-  double margin()
-      const;  // by which the bounds of objects are grown, against rounding far from the origin
+  // By which the bounds of objects are grown, against rounding far from the origin.
+  double margin() const { return margin_; }
   const std::vector<CellNode>& nodes() const { return nodes_; }
   size_t size() const { return cells_.size(); }
   Cell& cell(CellId id) { return cells_[id]; }
@@ -93,10 +93,14 @@ class CellTree {
     a("bounds", bounds_);
     a("nodes", nodes_);
     a("cells", cells_);
-    if constexpr (A::kReading) FindLeaves();
+    if constexpr (A::kReading) {
+      margin_ = MarginOf(bounds_);
+      FindLeaves();
+    }
   }
 
  private:
+  static double MarginOf(const Bounds& bounds);
   // After reading from a message: what does not form a tree of cells is a WireError.
   void FindLeaves();
 
@@ -112,6 +116,7 @@ class CellTree {
   }
 
   Bounds bounds_;
+  double margin_;
   std::vector<CellNode> nodes_;
   std::vector<Cell> cells_;
   std::vector<uint32_t> leaves_;  // node of each cell

@@ -92,8 +92,10 @@ WorkDone HostProcess::work_done() const {
 void HostProcess::Balance() {
   const PredictedHits hits = PredictHits(*camera_, tree_, spool_);
   ShareOut(WorkByCell(hits.by_cell, tree_), options_.processes, &tree_);
-  if (options_.memory != 0 && FullestProcess().second > options_.memory / 2) {
+  if (options_.memory != 0) fullest_ = FullestProcess();
+  if (fullest_ && fullest_->second > options_.memory / 2) {
     ShareOut(BytesByCell(tree_), options_.processes, &tree_);
+    fullest_.reset();
   }
   expected_owners_ = ExpectedOwners(hits, tree_, camera_->window());
 }
@@ -119,7 +121,7 @@ void HostProcess::PlanMemory() {
   const uint64_t spare = SpareBytes();
   uint64_t for_rays = 0;
   if (options_.memory != 0) {
-    const auto [process, needed] = FullestProcess();
+    const auto [process, needed] = fullest_ ? *fullest_ : FullestProcess();
     if (needed > options_.memory) {
       const int enough = ProcessesThatWouldDo(options_.memory, spare, spool_);
       throw std::runtime_error("out of memory: trace process " + std::to_string(process) +

@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -92,6 +93,7 @@ class HostProcess : public Process {
   std::unique_ptr<Camera> camera_;
   std::unique_ptr<PixelSampling> sampling_;
   ExpectedOwners expected_owners_;
+  std::optional<std::pair<ProcessId, uint64_t>> fullest_;  // of the subdivision as it is shared out
   std::unique_ptr<class PrimaryFeed> feed_;
   Phase phase_ = Phase::kSetUp;
   std::string failure_;

@@ -406,6 +406,7 @@ struct Statistics {
                    "What the process did, once, at the end.");
   OpCounts counts;
   double busy_seconds = 0;
+  double trace_busy_seconds = 0;  // of these, after the objects were stored
   uint64_t peak_bytes = 0;      // of the whole process, as the operating system counts
   uint64_t bytes_held_max = 0;  // of objects, cache and rays in work
   uint64_t objects = 0;
@@ -422,6 +423,7 @@ struct Statistics {
   void Fields(A& a) {
     a("counts", counts);
     a("busy_seconds", busy_seconds);
+    a("trace_busy_seconds", trace_busy_seconds);
     a("peak_bytes", peak_bytes);
     a("bytes_held_max", bytes_held_max);
     a("objects", objects);

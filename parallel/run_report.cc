@@ -10,6 +10,7 @@ namespace {
 void AddProcess(const Statistics& s, ProcessStats* p) {
   p->operations += s.counts;
   p->busy_seconds += s.busy_seconds;
+  p->trace_busy_seconds += s.trace_busy_seconds;
   p->cache_hits += s.cache_hits;
   p->cache_misses += s.cache_misses;
   p->bytes_held_max = std::max(p->bytes_held_max, s.bytes_held_max);

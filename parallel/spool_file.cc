@@ -42,8 +42,8 @@ void SpoolFile::Append(std::span<const uint8_t> record) {
     reading_ = false;
   }
   const uint32_t count = static_cast<uint32_t>(record.size());
-  if (std::fwrite(&count, sizeof count, 1, file_) != 1 ||
-      std::fwrite(record.data(), 1, record.size(), file_) != record.size()) {
+  if (fwrite_unlocked(&count, sizeof count, 1, file_) != 1 ||
+      fwrite_unlocked(record.data(), 1, record.size(), file_) != record.size()) {
     Fail("cannot write");
   }
   size_ += sizeof count + record.size();
@@ -66,9 +66,9 @@ void SpoolFile::Seek(uint64_t place) {
 bool SpoolFile::Next(std::vector<uint8_t>* record) {
   if (at_ == size_) return false;
   uint32_t count;
-  if (std::fread(&count, sizeof count, 1, file_) != 1) Fail("cannot read");
+  if (fread_unlocked(&count, sizeof count, 1, file_) != 1) Fail("cannot read");
   record->resize(count);
-  if (std::fread(record->data(), 1, count, file_) != count) Fail("cannot read");
+  if (fread_unlocked(record->data(), 1, count, file_) != count) Fail("cannot read");
   at_ += sizeof count + count;
   return true;
 }

@@ -6,6 +6,7 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -193,6 +194,7 @@ struct TraceProcess::Impl {
   std::vector<std::unique_ptr<WaitingShade>> waiting_shades;
   std::vector<uint32_t> free_waiting_shades;
   std::unique_ptr<RayPacker> packer;
+  std::optional<double> busy_before_tracing;  // seconds; of storing objects
   int requests = 0;
   int steps = 0;
 

@@ -318,6 +318,8 @@ void TraceProcess::Impl::On(ProcessId, CellReply& message, Outbox*) {
 void TraceProcess::Impl::On(ProcessId, Stop&, Outbox* outbox) {
   stopped = true;
   statistics.busy_seconds = meter->busy_seconds();
+  statistics.trace_busy_seconds =
+      statistics.busy_seconds - busy_before_tracing.value_or(statistics.busy_seconds);
   statistics.peak_bytes = meter->peak_bytes();
   if (const BusyTimeline* timeline = meter->timeline()) {
     statistics.interval_seconds = timeline->interval_seconds();
@@ -345,6 +347,7 @@ bool TraceProcess::Impl::AskForWork(Outbox* outbox) {
 
 bool TraceProcess::Impl::Work(Outbox* outbox) {
   if (tracer == nullptr || stopped) return false;
+  if (!busy_before_tracing) busy_before_tracing = meter->busy_seconds();
   AskForWork(outbox);
   if (++steps % kStepsPerFlush == 0) packer->Flush(outbox);
   // What frees memory goes first: cells that rays wait for, shadow rays, then the deepest rays of

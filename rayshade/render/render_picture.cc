@@ -277,7 +277,7 @@ void Renderer::WriteStatsFile() {
   ProcessStats process;
   process.host = host;
   process.operations = stats_.operations;
-  process.busy_seconds = stats_.trace_seconds;
+  process.busy_seconds = process.trace_busy_seconds = stats_.trace_seconds;
   process.bytes_held_max = stats_.object_bytes;
   process.peak_bytes = stats_.peak_bytes;
   stats_.processes.push_back(process);

@@ -61,6 +61,7 @@ std::string ProcessJson(const ProcessStats& process) {
       .Raw("host", JsonString(process.host))
       .Raw("rays", RaysJson(process.operations))
       .AddSeconds("busy_seconds", process.busy_seconds)
+      .AddSeconds("trace_busy_seconds", process.trace_busy_seconds)
       .Raw("operations", OperationsJson(process.operations))
       .Add("messages_sent", process.messages_sent)
       .Add("bytes_sent", process.bytes_sent)

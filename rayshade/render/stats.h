@@ -21,6 +21,7 @@ struct ProcessStats {
   std::string host;
   OpCounts operations;
   double busy_seconds = 0;
+  double trace_busy_seconds = 0;  // of these, after the objects were stored
   uint64_t messages_sent = 0, bytes_sent = 0;
   uint64_t cache_hits = 0, cache_misses = 0;
   uint64_t bytes_held_max = 0;  // objects and hierarchy, own and foreign

@@ -40,7 +40,7 @@ ours() { # ours NAME PROGRAM... SCENE: of tracing, and of reading and building
   "$@" -q -R "$pixels" "$pixels" --stats "$json" -O "$out/$name.png" >"$out/$name.log" 2>&1 || fail "$(cat "$out/$name.log")"
   keep "$name" "$(value "$json" trace_seconds)"
   keep "$name-read" "$(awk "BEGIN { print $(value "$json" read_seconds) + $(value "$json" build_seconds) }")"
-  keep "$name-rays" "$(awk "BEGIN { print $(value "$json" rays.total) / ($(grep -o '"busy_seconds":[0-9.]*' "$json" | cut -d: -f2 | paste -sd+)) }")"
+  keep "$name-rays" "$(awk "BEGIN { print $(value "$json" rays.total) / ($(grep -o '"trace_busy_seconds":[0-9.]*' "$json" | cut -d: -f2 | paste -sd+)) }")"
 }
 embree() { keep "embree-$1" "$("$build/embree_loop" "$out/$1.ray" "$pixels")"; }
 tachyon_on() {
@@ -77,6 +77,7 @@ for ((i = 1; i <= runs; i++)); do
     ours "$schedule-balls6" "$build/prayshade" --processes 2 --schedule $schedule -S 1 "$out/balls6.ray"
     cmp -s "$out/one-sample-balls6.png" "$out/$schedule-balls6.png" || fail "$schedule makes another picture"
   done
+  ours lone-balls6 "$build/prayshade" --processes 1 --schedule demand-driven -S 1 "$out/balls6.ray"
   ours hybrid-default-balls6 "$build/prayshade" --processes 2 --schedule hybrid -S 3 -T .2 .15 .3 "$out/balls6.ray"
 done
 
@@ -117,7 +118,8 @@ if wanted balls6; then
   ratio "balls6, one sample: hybrid on 2 processes / rayshade" hybrid-balls6 one-sample-balls6 0.65
   ratio "balls6, default sampling: hybrid on 2 processes / rayshade" hybrid-default-balls6 default-balls6 0.65
   ratio "balls6, one sample: data-parallel on 2 processes / rayshade" data-parallel-balls6 one-sample-balls6 -
-  ratio "balls6, rays per busy second: demand-driven on 2 / rayshade" demand-driven-balls6-rays one-sample-balls6-rays 0.9 more
+  ratio "balls6, rays per busy second: demand-driven on 1 / rayshade" lone-balls6-rays one-sample-balls6-rays 0.9 more
+  ratio "balls6, rays per busy second: demand-driven on 2 / rayshade" demand-driven-balls6-rays one-sample-balls6-rays -
   ratio "balls6, rays per busy second: hybrid on 2 / rayshade" hybrid-balls6-rays one-sample-balls6-rays -
   json=$out/hybrid-balls6.json
   row "balls6, messages per 1000 rays, hybrid on 2" "$(awk "BEGIN { print 1000 * $(value "$json" messages) / $(value "$json" rays.total) }")" 20
