@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "parallel/cell_walk.h"
 #include "parallel/pyraclip.h"
 #include "rayshade/common/check.h"
 
@@ -19,7 +18,7 @@ constexpr double kLocateWindow = 1e-6;
 
 CellTracer::CellTracer(const Scene* scene, const CellTree* tree, ProcessId self,
                        const ObjectSet* own, ObjectCache* cache)
-    : scene_(scene), tree_(tree), own_(own), cache_(cache), boxes_(tree->Boxes()) {
+    : scene_(scene), tree_(tree), own_(own), cache_(cache), boxes_(tree->Boxes()), walk_(tree) {
   for (CellId c = 0; c < tree->size(); ++c) {
     const Cell& cell = tree->cell(c);
     // A cell without objects is held by everyone: there is nothing to hold.
@@ -57,7 +56,7 @@ bool CellTracer::Before(const RayInterval& interval, CellId cell, const Ray& ray
 template <class Visit>
 void CellTracer::Walk(const Ray& ray, double limit, Visit visit, OpCounts* counts) {
   const auto skip = [this](uint32_t node) { return all_owned_[node] != 0; };
-  counts->cell_steps += WalkCells(*tree_, ray.origin, ray.direction, limit, skip, visit);
+  counts->cell_steps += walk_.Visit(ray.origin, ray.direction, limit, skip, visit);
 }
 
 void CellTracer::Nearest(std::span<const Ray> rays, std::span<const Travel> travel,
@@ -113,6 +112,7 @@ void CellTracer::NearestByClipList(const Pyramid& pyramid, std::span<const Ray> 
     const ObjectSet* set = Searched(clipped.cell);
     for (size_t i = 0; i < rays.size(); ++i) {
       if (clipped.entry > hits[i].distance) continue;
+      ++counts->cell_tests;
       const RayInterval interval =
           Intersect(boxes_[clipped.cell], rays[i].origin, rays[i].direction);
       if (interval.empty() || interval.exit < 0 || interval.entry > hits[i].distance ||
@@ -263,6 +263,7 @@ void CellTracer::ShadowsByClipList(const Pyramid& pyramid, std::span<Shadow*> sh
     const ObjectSet* set = cache_->Find(clipped.cell);
     for (Shadow* s : shadows) {
       if (s->blocked) continue;
+      ++counts->cell_tests;
       const Ray& ray = *s->ray;
       const RayInterval interval = Intersect(boxes_[clipped.cell], ray.origin, ray.direction);
       if (interval.empty() || interval.exit < 0 || interval.entry > s->limit ||

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "parallel/cell_tree.h"
+#include "parallel/cell_walk.h"
 #include "parallel/message.h"
 #include "parallel/object_cache.h"
 #include "parallel/pyramid.h"
@@ -108,6 +109,7 @@ class CellTracer {
   std::vector<Bounds> boxes_;       // by cell
   uint64_t cache_hits_ = 0, cache_misses_ = 0;
   // Scratch, to spare allocations.
+  CellWalk walk_;
   std::vector<Ray> some_rays_;
   std::vector<Hit> some_hits_;
   std::vector<uint32_t> some_;

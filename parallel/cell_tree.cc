@@ -13,8 +13,6 @@ namespace {
 // Relative widening of distances: far above the rounding of a hit's distance, far below what
 // matters to speed.
 constexpr double kOutwards = 1e-9;
-// A direction component that moves a ray by nothing within any distance.
-constexpr double kParallel = 1e-200;
 
 }  // namespace
 
@@ -22,7 +20,7 @@ RayInterval Intersect(const Bounds& box, const Vector& origin, const Vector& dir
   double entry = -HUGE_VAL, exit = HUGE_VAL;
   for (int axis = 0; axis < 3; ++axis) {
     const double d = direction[axis], o = origin[axis];
-    if (std::abs(d) < kParallel) {
+    if (std::abs(d) < kAlongPlanes) {
       if (o < box.low[axis] || o > box.high[axis]) return {1, 0};
       continue;
     }
@@ -30,6 +28,10 @@ RayInterval Intersect(const Bounds& box, const Vector& origin, const Vector& dir
     entry = std::max(entry, std::min(a, b));
     exit = std::min(exit, std::max(a, b));
   }
+  return RoundedOutwards(entry, exit);
+}
+
+RayInterval RoundedOutwards(double entry, double exit) {
   return {entry - kOutwards * std::abs(entry), exit + kOutwards * std::abs(exit)};
 }
 

@@ -57,6 +57,10 @@ struct RayInterval {
   bool empty() const { return entry > exit; }
 };
 RayInterval Intersect(const Bounds& box, const Vector& origin, const Vector& direction);
+// What Intersect makes of exact distances.
+RayInterval RoundedOutwards(double entry, double exit);
+// A direction component below this moves a ray by nothing within any distance.
+inline constexpr double kAlongPlanes = 1e-200;
 
 class CellTree {
  public:

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "parallel/cell_walk.h"
 #include "parallel/message.h"
 #include "parallel/ray_packer.h"
 
@@ -50,7 +49,11 @@ size_t PyramidFeed::HandOut(size_t room, PixelSampling* sampling, Outbox* outbox
 }
 
 DataParallelFeed::DataParallelFeed(const Camera* camera, const CellTree* tree, ProcessId processes)
-    : camera_(camera), tree_(tree), processes_(processes), all_empty_(tree->nodes().size()) {
+    : camera_(camera),
+      tree_(tree),
+      walk_(tree),
+      processes_(processes),
+      all_empty_(tree->nodes().size()) {
   const auto& nodes = tree->nodes();
   for (size_t i = nodes.size(); i-- > 0;) {
     const CellNode& n = nodes[i];
@@ -71,9 +74,8 @@ size_t DataParallelFeed::HandOut(size_t room, PixelSampling* sampling, Outbox* o
       const Ray ray = camera_->PrimaryRay(sample);
       Travel travel;
       travel.back = {kHost, TokenOf(sample)};
-      cell_steps_ += WalkCells(
-          *tree_, ray.origin, ray.direction, kFar,
-          [this](uint32_t node) { return all_empty_[node] != 0; },
+      cell_steps_ += walk_.Visit(
+          ray.origin, ray.direction, kFar, [this](uint32_t node) { return all_empty_[node] != 0; },
           [&travel](CellId cell, const RayInterval&) {
             travel.resume = cell;
             return false;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "parallel/cell_tree.h"
+#include "parallel/cell_walk.h"
 #include "parallel/expected_owners.h"
 #include "parallel/process.h"
 #include "parallel/run_options.h"
@@ -60,6 +61,7 @@ class DataParallelFeed : public PrimaryFeed {
  private:
   const Camera* camera_;
   const CellTree* tree_;
+  CellWalk walk_;
   ProcessId processes_;
   uint64_t cell_steps_ = 0;
   ProcessId turn_ = 1;

@@ -30,8 +30,10 @@ class Outbox {
 // multiplies.
 struct WorkDone {
   OpCounts counts;
-  uint64_t objects_taken = 0;  // own, resident and fetched ones, with hierarchies over them
-  uint64_t samples = 0;        // handed out, and put into the picture
+  uint64_t objects_taken = 0;    // own and resident ones, with the hierarchy over them
+  uint64_t objects_fetched = 0;  // while tracing, with a hierarchy over each cell's
+  uint64_t objects_lent = 0;     // looked up and encoded for processes that fetch them
+  uint64_t samples = 0;          // handed out, and put into the picture
 };
 
 class Process {

@@ -16,7 +16,10 @@ TraceProcess::~TraceProcess() = default;
 
 bool TraceProcess::finished() const { return impl_->stopped; }
 
-WorkDone TraceProcess::work_done() const { return {impl_->counts, impl_->objects_taken, 0}; }
+WorkDone TraceProcess::work_done() const {
+  const Impl& p = *impl_;
+  return {p.counts, p.objects_taken, p.objects_fetched, p.objects_lent, 0};
+}
 
 uint64_t TraceProcess::bytes_held() const { return impl_->bytes_held; }
 
@@ -301,6 +304,7 @@ void TraceProcess::Impl::On(ProcessId from, CellRequest& message, Outbox* outbox
       images.ForEachOf(scene->placement(entry.placement), send_image);
     }
   });
+  objects_lent += reply.parcel.objects.size();
   outbox->Send(from, Encode(reply));
 }
 

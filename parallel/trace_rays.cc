@@ -134,7 +134,7 @@ void TraceProcess::Impl::RequestCells(Outbox* outbox) {
 void TraceProcess::Impl::TakeCell(CellReply&& reply, Outbox* outbox) {
   auto objects = std::make_unique<ObjectSet>(scene.get());
   Install(reply.parcel, objects.get());
-  objects_taken += reply.parcel.objects.size();
+  objects_fetched += reply.parcel.objects.size();
   objects->Build();
   cache->Put(reply.cell, std::move(objects));
   const auto node = waiting.extract(reply.cell);

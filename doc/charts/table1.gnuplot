@@ -1,12 +1,12 @@
 # Table 1: seconds over processes, the paper's (dashed) and ours. By table1.sh.
 set datafile separator ','
-set datafile missing 'o.m.'
+set datafile missing NaN  # lines go on past rows of other curves
 set multiplot layout 1,3
 set logscale xy 2
 set logscale y 10
 set xtics (1, 2, 4, 8, 16, 24, 32)
 set xrange [0.9:36]
-set yrange [5:3000]
+set yrange [5:10000]
 set xlabel 'trace processes'
 set ylabel 'seconds'
 set key top right samplen 2 font ',9'

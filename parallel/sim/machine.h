@@ -1,7 +1,8 @@
 // A machine that is not there, as the cost model sees it (doc/cost_model.md): what an operation and
 // a message cost, and what a node holds. Seconds and bytes. Read from a text:
 //
-//   machine  = { line }              every number of RAYSHADE_MACHINE once, in any order
+//   machine  = { line }              every number of RAYSHADE_MACHINE once, in any order;
+//                                    contention may be missing: there is none
 //   line     = [ NAME VALUE TAG { word } ] [ "#" comment ]
 //   TAG      = "paper" | "manual" | "measured" | "fitted" | "assumed"
 //
@@ -28,21 +29,25 @@ namespace rayshade::parallel {
   X(node_visit)    /* operations, as in op_counts.h */                                           \
   X(primitive_test)                                                                              \
   X(cell_step)                                                                                   \
+  X(cell_test)                                                                                   \
   X(shade)                                                                                       \
   X(light_sample)                                                                                \
-  X(object)        /* an object stored, its share of the hierarchy */                            \
-  X(sample)        /* a sample handed out or put into the picture */                             \
-  X(step)          /* a step of a process, whatever it does */                                   \
-  X(send)          /* a message, at its sender */                                                \
-  X(receive)       /* a message, at its receiver */                                              \
-  X(pack)          /* a byte, at its sender */                                                   \
-  X(unpack)        /* a byte, at its receiver */                                                 \
-  X(latency)       /* from node to node */                                                       \
-  X(gap)           /* a byte through the port of a node */                                       \
-  X(shared_gap)    /* a byte through what all nodes share; 0: they share nothing */              \
-  X(local_latency) /* within a node */                                                           \
+  X(object)         /* an object stored before tracing, its share of the hierarchy */            \
+  X(fetched_object) /* the same while tracing, in the hierarchy of a cell */                     \
+  X(lent_object)    /* at the owner of a fetched object: looked up and encoded */                \
+  X(sample)         /* a sample handed out or put into the picture */                            \
+  X(step)           /* a step of a process, whatever it does */                                  \
+  X(send)           /* a message, at its sender */                                               \
+  X(receive)        /* a message, at its receiver */                                             \
+  X(pack)           /* a byte, at its sender */                                                  \
+  X(unpack)         /* a byte, at its receiver */                                                \
+  X(latency)        /* from node to node */                                                      \
+  X(gap)            /* a byte through the port of a node */                                      \
+  X(shared_gap)     /* a byte through what all nodes share; 0: they share nothing */             \
+  X(local_latency)  /* within a node */                                                          \
   X(local_gap)                                                                                   \
-  X(jitter) /* a step takes up to this share longer, as the schedule's seed says */
+  X(contention) /* a step takes this share longer for each other busy processor of its node */   \
+  X(jitter)     /* a step takes up to this share longer, as the schedule's seed says */
 
 struct Machine {
   std::string name;

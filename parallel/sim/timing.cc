@@ -16,14 +16,18 @@ double Difference(uint64_t after, uint64_t before) { return static_cast<double>(
 // Rays, operations and objects of `after` that are not in `before`.
 double CostBetween(const Machine& m, const WorkDone& before, const WorkDone& after) {
   const OpCounts &a = before.counts, &b = after.counts;
-  const double operations = m.ray * Difference(b.total_rays(), a.total_rays()) +
-                            m.node_visit * Difference(b.node_visits, a.node_visits) +
-                            m.primitive_test * Difference(b.primitive_tests, a.primitive_tests) +
-                            m.cell_step * Difference(b.cell_steps, a.cell_steps) +
-                            m.shade * Difference(b.shades, a.shades) +
-                            m.light_sample * Difference(b.light_samples, a.light_samples) +
-                            m.object * Difference(after.objects_taken, before.objects_taken) +
-                            m.sample * Difference(after.samples, before.samples);
+  const double operations =
+      m.ray * Difference(b.total_rays(), a.total_rays()) +
+      m.node_visit * Difference(b.node_visits, a.node_visits) +
+      m.primitive_test * Difference(b.primitive_tests, a.primitive_tests) +
+      m.cell_step * Difference(b.cell_steps, a.cell_steps) +
+      m.cell_test * Difference(b.cell_tests, a.cell_tests) +
+      m.shade * Difference(b.shades, a.shades) +
+      m.light_sample * Difference(b.light_samples, a.light_samples) +
+      m.object * Difference(after.objects_taken, before.objects_taken) +
+      m.fetched_object * Difference(after.objects_fetched, before.objects_fetched) +
+      m.lent_object * Difference(after.objects_lent, before.objects_lent) +
+      m.sample * Difference(after.samples, before.samples);
   return m.slowness * m.node_slowness * operations;
 }
 
@@ -60,7 +64,9 @@ double MachineTiming::FreeAt(ProcessId process, double seconds, double now) {
   double busy = 1;
   for (const ProcessId other : node_processes_[NodeOf(process)])
     if (other != process && busy_until_[other] > now) ++busy;
-  return busy_until_[process] = now + seconds * std::max(1.0, busy / machine_.processors);
+  const double shared = std::max(1.0, busy / machine_.processors);
+  const double slowed = 1 + machine_.contention * (std::min(busy, machine_.processors) - 1);
+  return busy_until_[process] = now + seconds * shared * slowed;
 }
 
 double MachineTiming::SendSeconds(size_t bytes) {

@@ -40,7 +40,7 @@ class MachineTiming : public Timing {
   double ArrivalTime(ProcessId from, ProcessId to, size_t bytes, double now) override;
   // Where more processes of a node are busy than it has processors (the host beside its trace
   // processes), they share them: a step takes longer by as much as there are too many when it
-  // begins.
+  // begins. Busy processors of a node slow each other by the machine's contention.
   double FreeAt(ProcessId process, double seconds, double now) override;
 
   size_t NodeOf(ProcessId process) const;

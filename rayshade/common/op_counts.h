@@ -18,6 +18,7 @@ namespace rayshade {
   X(node_visits)     /* nodes of the hierarchy opened, once per ray (or bundle) */ \
   X(primitive_tests) /* ray against one primitive */                               \
   X(cell_steps)      /* cells of the subdivision walked through */                 \
+  X(cell_tests)      /* ray against the box of a cell on a clip list */            \
   X(shades)          /* hits shaded */                                             \
   X(light_samples)   /* lights looked at from a hit */                             \
   X(rays_saved)      /* of shadow_rays: not traced, because no picture shows them */

@@ -2,7 +2,8 @@
 # `make calibrate`: measures this machine for the simulator: calibrate.sh BUILD
 #   1. operations: sequential runs of eight scenes, and the steps of host and trace processes without PVM (step_costs),
 #      unit costs by least squares (fit.awk);
-#   2. messages: ping_pong over PVM, by the project's own transport.
+#   2. contention: two sequential runs side by side against one;
+#   3. messages: ping_pong over PVM, by the project's own transport.
 # Writes BUILD/this.machine, which `make agreement` uses, brings the lines of parallel/sim/machines/*.machine that are
 # tagged `measured` up to date, and fits powerxplorer's slowness anew. CALIBRATE_ROUNDS (default 3): the least time counts.
 set -u
@@ -33,8 +34,8 @@ for scene in sky plane lights balls4 balls5 balls6 room8 room30; do
       least=$(awk -v a="$seconds" -v b="${least:-$seconds}" 'BEGIN { print a < b ? a : b }')
     done
     line="$scene-$pixels $least $(value "$out/run.json" rays.total)"
-    for name in node_visits primitive_tests cell_steps shades light_samples; do line="$line $(value "$out/run.json" operations.$name)"; done
-    echo "$line 0 $((2 * $(value "$out/run.json" rays.primary))) 0 0" >>"$out/runs.txt"
+    for name in node_visits primitive_tests cell_steps cell_tests shades light_samples; do line="$line $(value "$out/run.json" operations.$name)"; done
+    echo "$line 0 0 0 $((2 * $(value "$out/run.json" rays.primary))) 0 0" >>"$out/runs.txt"
   done
 done
 for ((i = 0; i < rounds; i++)); do
@@ -49,6 +50,28 @@ done | awk '!($1 in least) || $2 < least[$1] { least[$1] = $2; line[$1] = $0 } E
   sort >>"$out/runs.txt"
 [ "${PIPESTATUS[0]}" = 0 ] || exit 1
 awk -f tests/bench/fit.awk "$out/runs.txt" >"$out/measured.txt" || fail "fit.awk"
+
+# Contention: processor time of two sequential runs side by side, against that of one.
+processor_seconds() { # SCENE N: of N runs at once, each
+  local i TIMEFORMAT='%U %S'
+  {
+    time {
+      for ((i = 0; i < $2; i++)); do "$build/rayshade" -q -R 512 512 -O "$out/run$i.png" "$out/$1.ray" & done
+      wait
+    }
+  } 2>&1 | awk -v n="$2" '{ print ($1 + $2) / n }'
+}
+for scene in balls5 balls6 room8; do
+  for ((i = 0; i < rounds; i++)); do
+    echo "$scene $(processor_seconds "$scene" 1) $(processor_seconds "$scene" 2)"
+  done
+done | awk -v processors="$(nproc)" '
+  !($1 in alone) || $2 < alone[$1] { alone[$1] = $2 }
+  !($1 in twin) || $3 < twin[$1] { twin[$1] = $3 }
+  END {
+    for (s in alone) { sum += twin[s] / alone[s] - 1; n++; printf "%s: two at once take %.3f times as long\n", s, twin[s] / alone[s] >"/dev/stderr" }
+    printf "contention %.3g\n", processors > 1 && sum > 0 ? sum / n : 0
+  }' >>"$out/measured.txt"
 
 # Messages.
 pvm_conf/private-vm "$build/ping_pong" >>"$out/measured.txt" || fail "ping_pong"

@@ -1,8 +1,9 @@
 // step_costs: what the processes of a run do while tracing, and how long that takes on this
 // machine, without PVM: step_costs NAME SCENE PIXELS SCHEDULE PROCESSES. The processes run in one
-// address space; each call of Receive and Work is measured. Prints two lines, NAME-host and
-// NAME-trace: seconds, then what was done as the constants of a machine name it, in the order of
-// kNames. Without arguments: the names.
+// address space; each call of Receive and Work is measured. Prints a line for each process,
+// NAME-host and NAME-trace1 …, and one for all trace processes before tracing, NAME-build: seconds,
+// then what was done as the constants of a machine name it, in the order of kNames. Without
+// arguments: the names.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -22,7 +23,8 @@ namespace rayshade::parallel {
 namespace {
 
 constexpr char kNames[] =
-    "ray node_visit primitive_test cell_step shade light_sample object sample pack unpack";
+    "ray node_visit primitive_test cell_step cell_test shade light_sample object fetched_object "
+    "lent_object sample pack unpack";
 
 struct Done {
   double seconds = 0;
@@ -30,11 +32,11 @@ struct Done {
   uint64_t packed = 0, unpacked = 0;  // bytes
 };
 
-// Lets a process work, and adds up while the run traces.
+// Lets a process work, and adds up: while the run traces, and before.
 class MeasuredProcess : public Process {
  public:
-  MeasuredProcess(Process* process, const HostProcess* host, Done* done)
-      : process_(process), host_(host), done_(done) {}
+  MeasuredProcess(Process* process, const HostProcess* host, Done* before, Done* tracing)
+      : process_(process), host_(host), before_(before), tracing_(tracing) {}
 
   void Receive(ProcessId from, std::span<const uint8_t> message, Outbox* outbox) override {
     Measure(outbox, message.size(), [&](Outbox* o) {
@@ -67,34 +69,39 @@ class MeasuredProcess : public Process {
     const auto begin = std::chrono::steady_clock::now();
     const bool more = call(&counting);
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
-    if (!traces) return more;
     const WorkDone after = process_->work_done();
-    done_->seconds += spent.count();
-    done_->packed += counting.sent;
-    done_->unpacked += received;
-    OpCounts& counts = done_->work.counts;
+    Done* done = traces ? tracing_ : before_;
+    done->seconds += spent.count();
+    done->packed += counting.sent;
+    done->unpacked += received;
+    OpCounts& counts = done->work.counts;
     counts.primary_rays += after.counts.total_rays() - before.counts.total_rays();
     counts.node_visits += after.counts.node_visits - before.counts.node_visits;
     counts.primitive_tests += after.counts.primitive_tests - before.counts.primitive_tests;
     counts.cell_steps += after.counts.cell_steps - before.counts.cell_steps;
+    counts.cell_tests += after.counts.cell_tests - before.counts.cell_tests;
     counts.shades += after.counts.shades - before.counts.shades;
     counts.light_samples += after.counts.light_samples - before.counts.light_samples;
-    done_->work.objects_taken += after.objects_taken - before.objects_taken;
-    done_->work.samples += after.samples - before.samples;
+    done->work.objects_taken += after.objects_taken - before.objects_taken;
+    done->work.objects_fetched += after.objects_fetched - before.objects_fetched;
+    done->work.objects_lent += after.objects_lent - before.objects_lent;
+    done->work.samples += after.samples - before.samples;
     return more;
   }
 
   Process* process_;
   const HostProcess* host_;
-  Done* done_;
+  Done* before_;
+  Done* tracing_;
 };
 
 void Print(const std::string& name, const Done& done) {
   const OpCounts& c = done.work.counts;
   std::printf("%s %.6f", name.c_str(), done.seconds);
   for (const uint64_t n :
-       {c.total_rays(), c.node_visits, c.primitive_tests, c.cell_steps, c.shades, c.light_samples,
-        done.work.objects_taken, done.work.samples, done.packed, done.unpacked})
+       {c.total_rays(), c.node_visits, c.primitive_tests, c.cell_steps, c.cell_tests, c.shades,
+        c.light_samples, done.work.objects_taken, done.work.objects_fetched, done.work.objects_lent,
+        done.work.samples, done.packed, done.unpacked})
     std::printf(" %llu", static_cast<unsigned long long>(n));
   std::printf("\n");
 }
@@ -113,19 +120,23 @@ int Measure(char** argument) {
   RunProcesses run(DefaultsFor(ParseParallelOptions(options), {1, 2, uint64_t{4} << 30}), &spool,
                    0);
 
-  Done host, trace;
+  Done host_build, build;
+  std::vector<Done> tracing(run.all.size());
   std::vector<std::unique_ptr<MeasuredProcess>> measured;
   std::vector<Process*> all;
-  for (Process* process : run.all) {
-    measured.push_back(
-        std::make_unique<MeasuredProcess>(process, &run.host, all.empty() ? &host : &trace));
+  for (size_t i = 0; i < run.all.size(); ++i) {
+    measured.push_back(std::make_unique<MeasuredProcess>(
+        run.all[i], &run.host, i == kHost ? &host_build : &build, &tracing[i]));
     all.push_back(measured.back().get());
   }
   MachineTiming timing(FindMachine("cluster-1g"), all.size(), 1);
   Simulator(all, &timing).Run();
   if (!run.host.failure().empty()) throw std::runtime_error(run.host.failure());
-  Print(std::string(argument[1]) + "-host", host);
-  Print(std::string(argument[1]) + "-trace", trace);
+  const std::string name = argument[1];
+  Print(name + "-host", tracing[kHost]);
+  for (size_t i = 1; i < tracing.size(); ++i)
+    Print(name + "-trace" + std::to_string(i), tracing[i]);
+  Print(name + "-build", build);
   return 0;
 }
 

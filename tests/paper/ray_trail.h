@@ -39,8 +39,8 @@ inline std::vector<std::vector<RayStep>> RayTrails(const RecordedRun& run) {
 // All cells on a ray's path, in its order.
 inline std::vector<CellId> CellsAlong(const CellTree& tree, const Ray& ray) {
   std::vector<CellId> cells;
-  WalkCells(
-      tree, ray.origin, ray.direction, kFar, [](uint32_t) { return false; },
+  CellWalk(&tree).Visit(
+      ray.origin, ray.direction, kFar, [](uint32_t) { return false; },
       [&](CellId cell, const RayInterval&) {
         cells.push_back(cell);
         return true;

@@ -204,6 +204,32 @@ TEST_F(CellTracerTest, AHitIsFoundAgainByDistanceAndRank) {
   EXPECT_GT(unheld, 10u);
 }
 
+// What the cost model multiplies: by a clip list each ray is looked at for each cell that is not
+// owned, until it is blocked; rays that walk alone have no list.
+TEST_F(CellTracerTest, RaysLookedAtForTheCellsOfAClipListAreCounted) {
+  ObjectCache cache(0);
+  CellTracer tracer(&scene_, &tree_, 1, own_.get(), &cache);
+  const std::vector<Ray> rays = Rays(64, .4);
+  std::vector<Travel> travel(64);
+  std::vector<Hit> hits(64);
+  std::vector<Halt> halts(64);
+  OpCounts alone, bundle, shadow;
+  tracer.Nearest({&rays[0], 1}, {&travel[0], 1}, {&hits[0], 1}, {&halts[0], 1}, &alone);
+  EXPECT_GT(alone.cell_steps, 0u);
+  EXPECT_EQ(alone.cell_tests, 0u);
+  tracer.Nearest(rays, travel, hits, halts, &bundle);
+  EXPECT_GT(bundle.cell_tests, bundle.cell_steps);
+  EXPECT_LE(bundle.cell_tests, 64 * bundle.cell_steps);
+
+  std::vector<CellTracer::Shadow> shadows(64);
+  size_t unblocked = 0;
+  for (size_t i = 0; i < 64; ++i) shadows[i] = {.ray = &rays[i], .limit = 100};
+  tracer.Shadows(shadows, &shadow);
+  for (const CellTracer::Shadow& s : shadows) unblocked += !s.blocked;
+  EXPECT_GT(unblocked, 8u);
+  EXPECT_EQ(shadow.cell_tests, unblocked * shadow.cell_steps) << "no cell is there to block more";
+}
+
 TEST_F(CellTracerTest, EmptyCellsAreHeldByEveryone) {
   tree_.cell(1).objects = 0;
   tree_.cell(2).resident = true;

@@ -90,7 +90,7 @@ TEST(PyraClip, LeavesOutCellsFarFromANarrowPyramid) {
             tree.size() / 5);
 }
 
-TEST(WalkCells, VisitsEveryCellOfTheRayOnceInOrderOfEntryAndId) {
+TEST(CellWalk, VisitsEveryCellOfTheRayOnceInOrderOfEntryAndId) {
   for (uint64_t seed = 0; seed < 300; ++seed) {
     Random random{seed};
     const CellTree tree = RandomTree(random, 80);
@@ -103,8 +103,12 @@ TEST(WalkCells, VisitsEveryCellOfTheRayOnceInOrderOfEntryAndId) {
       Normalize(&ray.direction);
     }
     std::vector<std::pair<double, CellId>> walked, expected;
-    WalkCells(
-        tree, ray.origin, ray.direction, kFar, [](uint32_t) { return false; },
+    CellWalk walk(&tree);
+    walk.Visit(
+        ray.origin, ray.direction, kFar, [](uint32_t) { return false; },
+        [](CellId, const RayInterval&) { return false; });  // an earlier ray leaves nothing behind
+    walk.Visit(
+        ray.origin, ray.direction, kFar, [](uint32_t) { return false; },
         [&](CellId cell, const RayInterval& interval) {
           walked.emplace_back(interval.entry, cell);
           return true;

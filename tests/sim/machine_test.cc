@@ -80,6 +80,33 @@ TEST(Machine, ANodeIsSlowerThanTheProcessorOfTheSequentialTimes) {
   EXPECT_DOUBLE_EQ(CostOf(machine, work), 2 * before);
 }
 
+// Machine files from before there was contention go on.
+TEST(Machine, ContentionMayBeMissingAndIsNoneThen) {
+  std::string text = Text("powerxplorer");
+  EXPECT_EQ(ParseMachine("box.machine", With(text, "contention", "")).contention, 0);
+  EXPECT_EQ(
+      ParseMachine("box.machine", With(text, "contention", "contention .25 assumed")).contention,
+      .25);
+}
+
+// What is fetched while tracing, at both ends, does not cost what was stored before.
+TEST(Machine, StoredFetchedAndLentObjectsHaveCostsOfTheirOwn) {
+  Machine machine = FindMachine("cluster-1g");
+  machine.object = 1;
+  machine.fetched_object = 10;
+  machine.lent_object = 100;
+  machine.cell_test = 1000;
+  WorkDone work;
+  work.objects_taken = 1;
+  EXPECT_DOUBLE_EQ(CostOf(machine, work), 1);
+  work.objects_fetched = 2;
+  EXPECT_DOUBLE_EQ(CostOf(machine, work), 21);
+  work.objects_lent = 3;
+  EXPECT_DOUBLE_EQ(CostOf(machine, work), 321);
+  work.counts.cell_tests = 4;
+  EXPECT_DOUBLE_EQ(CostOf(machine, work), 4321);
+}
+
 TEST(MachineTiming, AMessageTakesLatencyAndTheGapOfItsBytesAndWaitsForThePortsInItsWay) {
   Machine machine = FindMachine("cluster-1g");
   machine.shared_gap = 0;
@@ -102,6 +129,21 @@ TEST(MachineTiming, ProcessesOfANodeShareItsProcessors) {
   EXPECT_DOUBLE_EQ(timing.FreeAt(3, 1, 0), 1) << "on another node";
   EXPECT_DOUBLE_EQ(timing.FreeAt(kHost, 1, 0.5), 2) << "the third of three on two processors";
   EXPECT_DOUBLE_EQ(timing.FreeAt(1, 1, 1), 2) << "process 2 is free again";
+}
+
+// Processors of a node share caches and memory.
+TEST(MachineTiming, BusyProcessorsOfANodeSlowEachOther) {
+  Machine machine = FindMachine("cluster-1g");
+  machine.processors = 2;
+  machine.host_apart = 0;
+  machine.contention = .5;
+  MachineTiming timing(machine, 5, 1);
+  EXPECT_DOUBLE_EQ(timing.FreeAt(1, 1, 0), 1) << "alone on its node";
+  EXPECT_DOUBLE_EQ(timing.FreeAt(3, 1, 0), 1) << "alone on another";
+  EXPECT_DOUBLE_EQ(timing.FreeAt(2, 1, 0), 1.5) << "beside process 1";
+  EXPECT_DOUBLE_EQ(timing.FreeAt(kHost, 1, 0), 1.5 * 1.5)
+      << "three on two processors, of which two are busy";
+  EXPECT_DOUBLE_EQ(timing.FreeAt(1, 1, 3), 4) << "all others are free again";
 }
 
 }  // namespace
