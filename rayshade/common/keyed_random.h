@@ -30,13 +30,17 @@ constexpr uint64_t MixBits(uint64_t x) {
 }
 
 // Key of a sample: seed, frame, pixel of the screen (absolute coordinates; y may be one row below
-// the picture), sub-cell within the pixel.
+// the picture), sub-cell within the pixel. Seed and frame can be mixed once for all samples.
+constexpr uint64_t FrameKey(uint64_t seed, int frame) {
+  return MixBits(MixBits(seed) ^ static_cast<uint32_t>(frame));
+}
+constexpr uint64_t SampleKey(uint64_t frame_key, int x, int y, int sub_cell) {
+  const uint64_t pixel =
+      static_cast<uint64_t>(static_cast<uint32_t>(x)) << 32 | static_cast<uint32_t>(y);
+  return MixBits(MixBits(frame_key ^ pixel) ^ static_cast<uint32_t>(sub_cell));
+}
 constexpr uint64_t SampleKey(uint64_t seed, int frame, int x, int y, int sub_cell) {
-  uint64_t key = MixBits(seed);
-  key = MixBits(key ^ static_cast<uint32_t>(frame));
-  key = MixBits(key ^
-                (static_cast<uint64_t>(static_cast<uint32_t>(x)) << 32 | static_cast<uint32_t>(y)));
-  return MixBits(key ^ static_cast<uint32_t>(sub_cell));
+  return SampleKey(FrameKey(seed, frame), x, y, sub_cell);
 }
 
 // Key of a secondary ray's path: its parent's key and whether it is reflected (0) or transmitted

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rayshade/common/color.h"
+#include "rayshade/common/large_pages.h"
 
 namespace rayshade {
 
@@ -27,7 +28,7 @@ class Picture {
 
  private:
   int width_, height_;
-  std::vector<PixelValue> pixels_;
+  std::vector<PixelValue, LargePages<PixelValue>> pixels_;
 };
 
 }  // namespace rayshade

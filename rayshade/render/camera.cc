@@ -62,7 +62,7 @@ Axes ViewAxes(const Settings& s) {
 
 Camera::Camera(const Settings& settings, int frame)
     : settings_(settings),
-      frame_(frame),
+      frame_key_(FrameKey(settings.seed, frame)),
       window_(CroppedWindow(settings)),
       low_discrepancy_(settings.pattern == SamplePattern::kLowDiscrepancy) {
   const Axes axes = ViewAxes(settings);
@@ -79,27 +79,42 @@ Camera::Camera(const Settings& settings, int frame)
   step_x_ = step_x * right_;
   step_y_ = (-step_y) * up_;
   corner_ = axes.to_look - (.5 * height * step_y_ + .5 * width * step_x_);
+  filter_width_ = settings.filter_width_used();
+  cell_ = filter_width_ * (1.0 / settings.samples);
   frame_start_ = settings.start_time + frame * settings.frame_length;
   if (ObjectsAreStale(settings, frame)) frozen_time_ = frame_start_ + settings.shutter;
 }
 
 uint16_t Camera::SingleSubCell(int x, int y) const {
-  const uint64_t key = SampleKey(settings_.seed, frame_, x + window_.minx, y + window_.miny, -1);
+  const uint64_t key = SampleKey(frame_key_, x + window_.minx, y + window_.miny, -1);
   return static_cast<uint16_t>(KeyedRandom(key, RandomUse::kSubCell) * settings_.samples *
                                settings_.samples);
 }
 
 Ray Camera::PrimaryRay(const Sample& sample) const {
+  Ray ray;
+  SetPrimaryRay(sample, &ray);
+  return ray;
+}
+
+void Camera::AppendPrimaryRays(std::span<const Sample> samples, std::vector<Ray>* rays) const {
+  for (const Sample& sample : samples) SetPrimaryRay(sample, &rays->emplace_back());
+}
+
+// In place: a ray is large, and most of it stays as it is.
+inline void Camera::SetPrimaryRay(const Sample& sample, Ray* primary) const {
+  Ray& ray = *primary;
   const int n = settings_.samples;
   const int px = sample.x + window_.minx, py = sample.y + window_.miny;
-  const int a = sample.sub_cell % n, b = sample.sub_cell / n;
-  Ray ray;
-  ray.key = SampleKey(settings_.seed, frame_, px, py, sample.sub_cell);
+  // Nearly every pixel of a picture without contrast has one sample: no division for it.
+  const int a = sample.sub_cell == 0 ? 0 : sample.sub_cell % n;
+  const int b = sample.sub_cell == 0 ? 0 : sample.sub_cell / n;
+  ray.key = SampleKey(frame_key_, px, py, sample.sub_cell);
   int number = SampleNumber(n, sample.sub_cell);
   if (low_discrepancy_ && n >= 6) --number;  // from 0 for every n: nothing lies outside of the lens
   ray.sample_number = number;
   if (low_discrepancy_) {
-    ray.sample_number = WithShift(number, SampleKey(settings_.seed, frame_, px, py, -1));
+    ray.sample_number = WithShift(number, SampleKey(frame_key_, px, py, -1));
   }
   const auto random = [&ray](RandomUse use) { return KeyedRandom(ray.key, use); };
   // A place in cell (column, row) of an n x n square.
@@ -109,8 +124,7 @@ Ray Camera::PrimaryRay(const Sample& sample) const {
   };
 
   // Place on the screen: the low corner of the sub-cell, or anywhere in it.
-  const double width = settings_.filter_width_used();
-  const double cell = width * (1.0 / n);
+  const double width = filter_width_, cell = cell_;
   double x = px - .5 * width, y = py - .5 * width;
   if (sample.single) {
     x += a * cell;
@@ -147,7 +161,6 @@ Ray Camera::PrimaryRay(const Sample& sample) const {
     ray.origin = lens + eye_;
     ray.direction = Normalized(focus * ray.direction - lens);
   }
-  return ray;
 }
 
 Vector Camera::Project(const Vector& point) const {

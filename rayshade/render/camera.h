@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "rayshade/common/ray.h"
 #include "rayshade/scene/settings.h"
@@ -35,6 +37,7 @@ class Camera {
   Camera(const Settings& settings, int frame);
 
   Ray PrimaryRay(const Sample& sample) const;
+  void AppendPrimaryRays(std::span<const Sample> samples, std::vector<Ray>* rays) const;
   // Where a point of the world is seen through the middle of the lens: x and y in pixels of the
   // window, z its depth in distances from the eye to the point looked at; not in front where z <=
   // 0, then x and y mean nothing.
@@ -45,13 +48,16 @@ class Camera {
   const Vector& eye() const { return eye_; }
 
  private:
+  void SetPrimaryRay(const Sample& sample, Ray* ray) const;
+
   Settings settings_;
-  int frame_;
+  uint64_t frame_key_;
   PictureWindow window_;
   bool low_discrepancy_;
   Vector eye_, direction_, right_, up_;  // unit axes
   Vector corner_, step_x_, step_y_;      // [rayshade4/1 s.7.3]
   double distance_ = 0;
+  double filter_width_ = 0, cell_ = 0;  // of a sub-cell
   double frame_start_ = 0;
   std::optional<double> frozen_time_;  // of all rays
 };

@@ -31,10 +31,13 @@ struct PixelSampling::Impl {
     }
     const size_t end = std::min(tile_next + most, size_t(tile.width) * tile.height);
     samples.reserve(end - tile_next);
+    int x = tile.x + static_cast<int>(tile_next % tile.width);
+    int y = tile.y + static_cast<int>(tile_next / tile.width);
     for (; tile_next < end; ++tile_next) {
-      const int x = tile.x + static_cast<int>(tile_next % tile.width);
-      const int y = tile.y + static_cast<int>(tile_next / tile.width);
       samples.push_back({x, y, 0, y > 0});
+      if (++x < tile.x + tile.width) continue;
+      x = tile.x;
+      ++y;
     }
     return samples;
   }
@@ -104,6 +107,14 @@ void PixelSampling::Put(const Sample& sample, const RayResult& result) {
     impl_->adaptive->Put(sample, result);
   } else {
     impl_->PutOfOne(sample, result);
+  }
+}
+
+void PixelSampling::Put(std::span<const Sample> samples, std::span<const RayResult> results) {
+  if (impl_->adaptive) {
+    for (size_t i = 0; i < samples.size(); ++i) impl_->adaptive->Put(samples[i], results[i]);
+  } else {
+    for (size_t i = 0; i < samples.size(); ++i) impl_->PutOfOne(samples[i], results[i]);
   }
 }
 

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,7 @@ class PixelSampling {
   std::vector<Sample> Next(size_t most);
   // The result of a sample that Next gave, each once.
   void Put(const Sample& sample, const RayResult& result);
+  void Put(std::span<const Sample> samples, std::span<const RayResult> results);
 
   bool done() const;             // every pixel of the picture is final
   int rows_done() const;         // final rows, from the top

@@ -237,10 +237,10 @@ Renderer::Traced Renderer::Trace(const SceneBuilder::Built& built, const Camera&
       throw std::runtime_error(PartialFile(file) + " is damaged.");  // the only way to get here
     }
     bundle.clear();
-    for (const Sample& sample : samples) bundle.rays.push_back(camera.PrimaryRay(sample));
-    results.assign(samples.size(), {});
+    camera.AppendPrimaryRays(samples, &bundle.rays);
+    results.resize(samples.size());
     tracer.Trace(bundle, results, &stats_.operations);
-    for (size_t i = 0; i < samples.size(); ++i) sampling->Put(samples[i], results[i]);
+    sampling->Put(samples, results);
 
     const double now = stopwatch_.seconds();
     const OpCounts& counts = stats_.operations;
