@@ -199,20 +199,18 @@ void TraceProcess::Impl::On(ProcessId, Distributed&, Outbox* outbox) {
 
 void TraceProcess::Impl::On(ProcessId, PrimaryRays& message, Outbox*) {
   for (uint64_t t : message.tokens) CheckSample(SampleOf(t), *camera, scene->settings().samples);
+  for (uint64_t t : message.tokens) samples.push_back(SampleOf(t));
   requests = std::max(0, requests - 1);
   statistics.demand_rays += message.tokens.size();
   counts.primary_rays += message.tokens.size();
-  samples.insert(samples.end(), message.tokens.begin(), message.tokens.end());
 }
 
 // The next part of the PyraClip tasks at hand, as rays.
 void TraceProcess::Impl::TakeSamples(RayQueue* rays) {
   const size_t count = std::min(kRaysPerStep, samples.size());
-  Travel travel;
-  for (size_t i = 0; i < count; ++i) {
-    travel.back = {kHost, samples[i]};
-    rays->Push(camera->PrimaryRay(SampleOf(samples[i])), {}, travel);
-  }
+  const std::span<const Sample> part(samples.data(), count);
+  camera->AppendPrimaryRays(part, &rays->bundle.rays);
+  for (const Sample& sample : part) rays->travel.emplace_back().back = {kHost, TokenOf(sample)};
   samples.erase(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(count));
 }
 
