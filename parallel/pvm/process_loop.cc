@@ -11,7 +11,7 @@ namespace {
 
 // Work goes on so long before the next look at what has arrived: a direct route blocks its sender
 // meanwhile.
-constexpr double kWorkSeconds = 1e-3;
+constexpr double kWorkSeconds = 300e-6;
 // So long is waited before the listener has its turn.
 constexpr double kIdleSeconds = 0.1;
 // And so long messages are taken in without a step of work.
