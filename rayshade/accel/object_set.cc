@@ -198,7 +198,7 @@ bool ObjectSet::IsPlainSphere(uint32_t object, PlainSphere* plain) const {
   if (!objects.is_sphere(object)) return false;
   const Placement& placement = objects.scene().placement(objects.key(object).placement);
   if (!placement.plain) return false;
-  plain->sphere = objects.sphere(object);
+  plain->center = objects.SphereRow(object, &plain->stride);
   plain->surface = placement.surface;
   return true;
 }

@@ -98,7 +98,8 @@ class ObjectSet {
   void Describe(const Ray& ray, const Hit& hit, HitPath* path) const;
   // A sphere that stands in place, without textures: all that there is to say about hits on it.
   struct PlainSphere {
-    SphereSpec sphere;
+    const double* center;  // x, y and z lie `stride` apart, then the radius
+    uint32_t stride;
     SurfaceId surface;
   };
   bool IsPlainSphere(uint32_t object, PlainSphere* plain) const;

@@ -267,9 +267,15 @@ uint32_t StoredObjects::Permute(std::span<const BuildRef> refs) {
 }
 
 SphereSpec StoredObjects::sphere(uint32_t object) const {
+  uint32_t stride;
+  const double* const row = SphereRow(object, &stride);
+  return {row[3 * stride], {row[0], row[stride], row[2 * stride]}};
+}
+
+const double* StoredObjects::SphereRow(uint32_t object, uint32_t* stride) const {
   if (leaf_begins.empty()) {
-    const SphereRecord& s = spheres_[object];
-    return {s.radius, {s.x, s.y, s.z}};
+    *stride = 1;
+    return &spheres_[object].x;
   }
   // A leaf begins at one of the kLeafSize objects up to this one, and the next at one of as many
   // behind it, or there is none.
@@ -285,9 +291,8 @@ SphereSpec StoredObjects::sphere(uint32_t object) const {
   if (object + 1 < end) {
     end = std::min(end, object + 1 + static_cast<uint32_t>(std::countr_zero(bits_from(object + 1))));
   }
-  const double* rows = &spheres_[first].x;
-  const uint32_t count = end - first, at = object - first;
-  return {rows[3 * count + at], {rows[at], rows[count + at], rows[2 * count + at]}};
+  *stride = end - first;
+  return &spheres_[first].x + (object - first);
 }
 
 Bounds StoredObjects::WorldBox(uint32_t object) const {

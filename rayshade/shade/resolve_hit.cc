@@ -141,7 +141,9 @@ void SetMirror(const Ray& ray, SurfaceHit* resolved) {
 // The same as Describe and the general way, without a path.
 void ResolvePlain(const Scene& scene, const Ray& ray, double distance,
                   const ObjectSet::PlainSphere& plain, SurfaceHit* resolved) {
-  const auto& [radius, center] = plain.sphere;
+  const double* const c = plain.center;
+  const Vector center = {c[0], c[plain.stride], c[2 * plain.stride]};
+  const double radius = c[3 * plain.stride];
   resolved->point = ray.origin + distance * ray.direction;
   const Vector n = resolved->point - center;
   Vector normal = {n.x / radius, n.y / radius, n.z / radius};
