@@ -3,10 +3,11 @@
 // that are pointed do: their rays pass through a common apex (quads.inl, invariants 1 and 2). There
 // a sphere lies inside of a circle in the plane of slopes.
 
-// Spheres, one a lane: circles among the slopes.
+// Spheres, one a lane: circles among the slopes, and smaller ones that are surely within the
+// spheres' own.
 struct SeenSpheres {
-  F8 u, v, radius;
-  F8 nearest;       // depth
+  F8 u, v, radius, inner;
+  F8 nearest, farthest;  // depth
   uint32_t around;  // bits of those that are not left out: the apex is too near
 };
 
@@ -26,7 +27,10 @@ RAYSHADE_KERNEL SeenSpheres SeeSpheres(const TraceView& view, uint64_t branch, c
   // In the plane of this depth, a ray that meets the sphere is not farther from its center than
   // radius / cos of the ray's angle with the axis.
   s.radius = radius * SetF(p.q_size) * inverse + SetF(2e-6f);
+  // And one that is less than the true radius away from the center there meets it.
+  s.inner = Max((radius * SetF(0.9999f) - SetF(8 * p.loose)) * inverse - SetF(4e-6f), SetF(0));
   s.nearest = (w - radius) * SetF(2 - kSlack);
+  s.farthest = (w + radius) * SetF(kSlack);
   s.around = ~Less(radius * SetF(1.0001f), w) & 0xff;
   return s;
 }
@@ -68,6 +72,9 @@ RAYSHADE_KERNEL void SeeLeaf(const TraceView& view, const Bundle& b, uint64_t br
     Store(s.radius, leaf->part[2]);
     Store(s.radius * s.radius * SetF(1.00001f), leaf->part[3]);
     Store(s.nearest, leaf->part[4]);
+    if (!b.sure) return;
+    Store(s.inner * s.inner, leaf->part[5]);
+    Store(s.farthest * SetF(1.0001f), leaf->part[6]);
     return;
   }
   const SeenQuads s = SeeQuads(view, branch, b.viewpoint);
@@ -86,8 +93,12 @@ RAYSHADE_KERNEL uint32_t RaysThatMayMeet(const Bundle& b, int g, const SeenLeaf&
   const auto part = [&](int k) { return SetF(leaf.part[k][i]); };
   if (kind == kSphereLeaf) {
     if ((leaf.around >> i & 1) != 0) return b.live[g];
-    const F8 du = u - part(0), dv = v - part(1);
-    return ~(Less(part(3), du * du + dv * dv) | Less(depth, part(4))) & b.live[g];
+    const F8 du = u - part(0), dv = v - part(1), squared = du * du + dv * dv;
+    const uint32_t may = ~(Less(part(3), squared) | Less(depth, part(4))) & b.live[g];
+    // The whole sphere lies between the apex and where hits begin to count: the nearer of two hits
+    // is within the ray's ends.
+    if (surely != nullptr && b.sure) *surely = Less(squared, part(5)) & Less(part(6), depth) & may;
+    return may;
   }
   return RaysAtQuad(b, g, leaf.part, i, b.live[g], surely);
 }

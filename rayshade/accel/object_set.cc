@@ -193,6 +193,16 @@ void ObjectSet::Describe(const Ray& ray, const Hit& hit, HitPath* path) const {
   impl_->others.Describe(ray, hit.object, hit.distance, path);
 }
 
+bool ObjectSet::IsPlainSphere(uint32_t object, PlainSphere* plain) const {
+  const StoredObjects& objects = impl_->objects;
+  if (!objects.is_sphere(object)) return false;
+  const Placement& placement = objects.scene().placement(objects.key(object).placement);
+  if (!placement.plain) return false;
+  plain->center = objects.SphereRow(object, &plain->stride);
+  plain->surface = placement.surface;
+  return true;
+}
+
 PlacementId ObjectSet::placement_of(uint32_t object) const {
   return impl_->objects.key(object).placement;
 }

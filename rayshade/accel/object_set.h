@@ -96,6 +96,13 @@ class ObjectSet {
 
   // The hit described in the space of its primitive; hit.set == this.
   void Describe(const Ray& ray, const Hit& hit, HitPath* path) const;
+  // A sphere that stands in place, without textures: all that there is to say about hits on it.
+  struct PlainSphere {
+    const double* center;  // x, y and z lie `stride` apart, then the radius
+    uint32_t stride;
+    SurfaceId surface;
+  };
+  bool IsPlainSphere(uint32_t object, PlainSphere* plain) const;
   PlacementId placement_of(uint32_t object) const;
   Rank rank_of(uint32_t object) const;
   size_t kind_of(uint32_t object) const;  // GeomSpec::index()

@@ -2,6 +2,7 @@
 #include "rayshade/accel/stored_objects.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -266,17 +267,32 @@ uint32_t StoredObjects::Permute(std::span<const BuildRef> refs) {
 }
 
 SphereSpec StoredObjects::sphere(uint32_t object) const {
+  uint32_t stride;
+  const double* const row = SphereRow(object, &stride);
+  return {row[3 * stride], {row[0], row[stride], row[2 * stride]}};
+}
+
+const double* StoredObjects::SphereRow(uint32_t object, uint32_t* stride) const {
   if (leaf_begins.empty()) {
-    const SphereRecord& s = spheres_[object];
-    return {s.radius, {s.x, s.y, s.z}};
+    *stride = 1;
+    return &spheres_[object].x;
   }
-  const auto begins = [&](uint32_t i) { return (leaf_begins[i / 64] >> (i % 64) & 1) != 0; };
-  uint32_t first = object, end = object + 1;
-  while (!begins(first)) --first;
-  while (end < spheres_.size() && !begins(end)) ++end;
-  const double* rows = &spheres_[first].x;
-  const uint32_t count = end - first, at = object - first;
-  return {rows[3 * count + at], {rows[at], rows[count + at], rows[2 * count + at]}};
+  // A leaf begins at one of the kLeafSize objects up to this one, and the next at one of as many
+  // behind it, or there is none.
+  const auto bits_from = [&](uint32_t i) {
+    const uint32_t word = i / 64, shift = i % 64;
+    const uint64_t next = word + 1 < leaf_begins.size() ? leaf_begins[word + 1] : 0;
+    return leaf_begins[word] >> shift | next << 1 << (63 - shift);
+  };
+  const uint32_t from = object < kLeafSize ? 0 : object - kLeafSize + 1;
+  const uint64_t up_to = bits_from(from) & ((uint64_t{2} << (object - from)) - 1);
+  const uint32_t first = from + static_cast<uint32_t>(std::bit_width(up_to)) - 1;
+  uint32_t end = sphere_count();
+  if (object + 1 < end) {
+    end = std::min(end, object + 1 + static_cast<uint32_t>(std::countr_zero(bits_from(object + 1))));
+  }
+  *stride = end - first;
+  return &spheres_[first].x + (object - first);
 }
 
 Bounds StoredObjects::WorldBox(uint32_t object) const {

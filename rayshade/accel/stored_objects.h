@@ -55,7 +55,9 @@ class StoredObjects {
   std::span<const Vector> PointsOf(const FlatPolygon& p) const {
     return {points_.data() + p.first_point, p.point_count};
   }
-  SphereSpec sphere(uint32_t object) const;  // from rows once leaves were made
+  SphereSpec sphere(uint32_t object) const;
+  // Its x, y, z and radius, which lie *stride apart once leaves were made.
+  const double* SphereRow(uint32_t object, uint32_t* stride) const;
 
   Bounds WorldBox(uint32_t object) const;
   Quad QuadAround(uint32_t object, const double center[3]) const;  // of one that is no sphere

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "rayshade/common/color.h"
-#include "rayshade/common/large_pages.h"
+#include "rayshade/common/zero_pages.h"
 
 namespace rayshade {
 
@@ -28,7 +28,7 @@ class Picture {
 
  private:
   int width_, height_;
-  std::vector<PixelValue, LargePages<PixelValue>> pixels_;
+  std::vector<PixelValue, ZeroPages<PixelValue>> pixels_;
 };
 
 }  // namespace rayshade

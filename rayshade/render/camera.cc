@@ -7,13 +7,13 @@
 #include <cmath>
 #include <string>
 
-#include "rayshade/common/keyed_random.h"
-#include "rayshade/common/sample_pattern.h"
 #include "rayshade/render/sample_numbers.h"
 #include "rayshade/scene/scene.h"
 
 namespace rayshade {
 namespace {
+
+constexpr size_t kTogether = 64;  // rays, within the first cache
 
 PictureWindow CroppedWindow(const Settings& s) {
   const Window w = s.window.value_or(Window{0, s.width - 1, 0, s.height - 1});
@@ -93,16 +93,43 @@ uint16_t Camera::SingleSubCell(int x, int y) const {
 
 Ray Camera::PrimaryRay(const Sample& sample) const {
   Ray ray;
-  SetPrimaryRay(sample, &ray);
+  SetPrimaryRays({&sample, 1}, &ray);
   return ray;
 }
 
 void Camera::AppendPrimaryRays(std::span<const Sample> samples, std::vector<Ray>* rays) const {
-  for (const Sample& sample : samples) SetPrimaryRay(sample, &rays->emplace_back());
+  const size_t before = rays->size();
+  rays->resize(before + samples.size());
+  for (size_t i = 0; i < samples.size(); i += kTogether) {
+    SetPrimaryRays(samples.subspan(i, std::min(kTogether, samples.size() - i)),
+                   rays->data() + before + i);
+  }
 }
 
-// In place: a ray is large, and most of it stays as it is.
-inline void Camera::SetPrimaryRay(const Sample& sample, Ray* primary) const {
+// Square roots and divisions of many rays come together: each takes its time, but not for itself.
+void Camera::SetPrimaryRays(std::span<const Sample> samples, Ray* rays) const {
+  const size_t count = samples.size();
+  for (size_t i = 0; i < count; ++i) SetOnScreen(samples[i], &rays[i]);
+  for (size_t i = 0; i < count; ++i) Normalize(&rays[i].direction);
+  if (!(settings_.aperture > 0)) return;
+  for (size_t i = 0; i < count; ++i) MoveOnLens(samples[i], &rays[i]);
+}
+
+// A place in cell (column, row) of an n x n square.
+PlaceInCell Camera::PlaceIn(const Ray& ray, RandomUse use_x, RandomUse use_y, int column,
+                            int row) const {
+  if (!low_discrepancy_) return {KeyedRandom(ray.key, use_x), KeyedRandom(ray.key, use_y)};
+  return LowDiscrepancyPlace(settings_.samples, column, row, PatternKey(ray.sample_number, use_x));
+}
+
+int Camera::NumberOf(const Sample& sample) const {
+  const int n = settings_.samples, number = SampleNumber(n, sample.sub_cell);
+  // From 0 for every n: nothing lies outside of the lens.
+  return low_discrepancy_ && n >= 6 ? number - 1 : number;
+}
+
+// All but the lens; the direction is not yet of unit length.
+inline void Camera::SetOnScreen(const Sample& sample, Ray* primary) const {
   Ray& ray = *primary;
   const int n = settings_.samples;
   const int px = sample.x + window_.minx, py = sample.y + window_.miny;
@@ -110,18 +137,11 @@ inline void Camera::SetPrimaryRay(const Sample& sample, Ray* primary) const {
   const int a = sample.sub_cell == 0 ? 0 : sample.sub_cell % n;
   const int b = sample.sub_cell == 0 ? 0 : sample.sub_cell / n;
   ray.key = SampleKey(frame_key_, px, py, sample.sub_cell);
-  int number = SampleNumber(n, sample.sub_cell);
-  if (low_discrepancy_ && n >= 6) --number;  // from 0 for every n: nothing lies outside of the lens
+  const int number = NumberOf(sample);
   ray.sample_number = number;
   if (low_discrepancy_) {
     ray.sample_number = WithShift(number, SampleKey(frame_key_, px, py, -1));
   }
-  const auto random = [&ray](RandomUse use) { return KeyedRandom(ray.key, use); };
-  // A place in cell (column, row) of an n x n square.
-  const auto place_in = [&](RandomUse use_x, RandomUse use_y, int column, int row) {
-    if (!low_discrepancy_) return PlaceInCell{random(use_x), random(use_y)};
-    return LowDiscrepancyPlace(n, column, row, PatternKey(ray.sample_number, use_x));
-  };
 
   // Place on the screen: the low corner of the sub-cell, or anywhere in it.
   const double width = filter_width_, cell = cell_;
@@ -134,33 +154,37 @@ inline void Camera::SetPrimaryRay(const Sample& sample, Ray* primary) const {
     for (int i = 0; i < b; ++i) y += cell;
   }
   if (settings_.jitter) {
-    const PlaceInCell place = place_in(RandomUse::kJitterX, RandomUse::kJitterY, a, b);
+    const PlaceInCell place = PlaceIn(ray, RandomUse::kJitterX, RandomUse::kJitterY, a, b);
     x += place.x * cell;
     y += place.y * cell;
   }
   ray.origin = eye_;
-  ray.direction = Normalized(corner_ + x * step_x_ + y * step_y_);
+  ray.direction = corner_ + x * step_x_ + y * step_y_;
 
-  // Moment and place on the lens, by the sub-cell's number.
+  // Moment, by the sub-cell's number.
   ray.time = frame_start_;
   if (frozen_time_) {
     ray.time = *frozen_time_;
   } else if (settings_.shutter > 0) {
     const double interval = settings_.shutter / (n * n);
-    const double within = settings_.jitter ? random(RandomUse::kTime) : 0;
+    const double within = settings_.jitter ? KeyedRandom(ray.key, RandomUse::kTime) : 0;
     ray.time = frame_start_ + interval * (number + within);
   }
-  if (settings_.aperture > 0) {
-    const double grid = 2 * (1.0 / n);
-    const int column = number % n, row = number / n;
-    const PlaceInCell place = place_in(RandomUse::kLensX, RandomUse::kLensY, column, row);
-    const double cx = place.x * grid - 1 + column * grid;
-    const double cy = place.y * grid - 1 + row * grid;
-    const Vector lens = (settings_.aperture * cx) * right_ + (settings_.aperture * cy) * up_;
-    const double focus = settings_.focal_distance.value_or(distance_);
-    ray.origin = lens + eye_;
-    ray.direction = Normalized(focus * ray.direction - lens);
-  }
+}
+
+// By the sub-cell's number, too.
+void Camera::MoveOnLens(const Sample& sample, Ray* primary) const {
+  Ray& ray = *primary;
+  const int n = settings_.samples, number = NumberOf(sample);
+  const double grid = 2 * (1.0 / n);
+  const int column = number % n, row = number / n;
+  const PlaceInCell place = PlaceIn(ray, RandomUse::kLensX, RandomUse::kLensY, column, row);
+  const double cx = place.x * grid - 1 + column * grid;
+  const double cy = place.y * grid - 1 + row * grid;
+  const Vector lens = (settings_.aperture * cx) * right_ + (settings_.aperture * cy) * up_;
+  const double focus = settings_.focal_distance.value_or(distance_);
+  ray.origin = lens + eye_;
+  ray.direction = Normalized(focus * ray.direction - lens);
 }
 
 Vector Camera::Project(const Vector& point) const {

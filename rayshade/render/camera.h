@@ -8,7 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "rayshade/common/keyed_random.h"
+#include "rayshade/common/keyed_random.h"
 #include "rayshade/common/ray.h"
+#include "rayshade/common/sample_pattern.h"
+#include "rayshade/common/sample_pattern.h"
 #include "rayshade/scene/settings.h"
 
 namespace rayshade {
@@ -48,7 +52,11 @@ class Camera {
   const Vector& eye() const { return eye_; }
 
  private:
-  void SetPrimaryRay(const Sample& sample, Ray* ray) const;
+  void SetPrimaryRays(std::span<const Sample> samples, Ray* rays) const;
+  void SetOnScreen(const Sample& sample, Ray* ray) const;
+  void MoveOnLens(const Sample& sample, Ray* ray) const;
+  PlaceInCell PlaceIn(const Ray& ray, RandomUse use_x, RandomUse use_y, int column, int row) const;
+  int NumberOf(const Sample& sample) const;  // in the order tables
 
   Settings settings_;
   uint64_t frame_key_;

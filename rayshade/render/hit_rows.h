@@ -31,7 +31,7 @@ class HitRows : public PointLightRows {
  private:
   void AddThroughTransparent(const Light& light, ShadowTracer* shadows, OpCounts* counts);
 
-  alignas(64) double diffuse_[3][kMost], sum_[3][kMost];
+  alignas(64) double diffuse_[3][kRow], sum_[3][kRow];
   std::vector<uint32_t> shiny_;  // hits that have highlights
 
   std::span<const Ray> rays_;

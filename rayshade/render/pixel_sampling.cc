@@ -10,6 +10,12 @@
 
 namespace rayshade {
 
+namespace {
+
+constexpr size_t kAhead = 32;  // samples
+
+}  // namespace
+
 struct PixelSampling::Impl {
   Impl(const Settings& settings, const Camera& camera, bool ahead)
       : camera(camera),
@@ -40,6 +46,11 @@ struct PixelSampling::Impl {
       ++y;
     }
     return samples;
+  }
+
+  // The picture is larger than any cache.
+  void Prefetch(const Sample& sample) {
+    if (sample.y < picture.height()) __builtin_prefetch(&picture.at(sample.x, sample.y), 1);
   }
 
   void PutOfOne(const Sample& sample, const RayResult& result) {
@@ -114,7 +125,10 @@ void PixelSampling::Put(std::span<const Sample> samples, std::span<const RayResu
   if (impl_->adaptive) {
     for (size_t i = 0; i < samples.size(); ++i) impl_->adaptive->Put(samples[i], results[i]);
   } else {
-    for (size_t i = 0; i < samples.size(); ++i) impl_->PutOfOne(samples[i], results[i]);
+    for (size_t i = 0; i < samples.size(); ++i) {
+      if (i + kAhead < samples.size()) impl_->Prefetch(samples[i + kAhead]);
+      impl_->PutOfOne(samples[i], results[i]);
+    }
   }
 }
 

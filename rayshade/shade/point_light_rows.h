@@ -15,6 +15,9 @@ namespace rayshade {
 class PointLightRows {
  public:
   static constexpr size_t kMost = 512;  // hits
+  // A row's length: rows whose beginnings lie a multiple of 4 kB apart would share one set of the
+  // first cache.
+  static constexpr size_t kRow = kMost + 8;
 
   // Whether the rows can do a light as SampleLight would.
   static bool Suit(const Scene& scene, const Light& light);
@@ -42,17 +45,17 @@ class PointLightRows {
  protected:
   // Rows are filled up to groups of eight with the last hit.
   size_t count_ = 0;
-  alignas(64) double toward_[3][kMost];
-  alignas(64) double distance_[kMost], cosine_[kMost];
+  alignas(64) double toward_[3][kRow];
+  alignas(64) double distance_[kRow], cosine_[kRow];
   uint8_t blocked_[kMost], crossed_[kMost];
 
  private:
   void Aim(const Vector& position, const ObjectSet& objects);
 
-  alignas(64) double point_[3][kMost];
-  alignas(64) double normal_[3][kMost], face_[3][kMost];
-  alignas(64) double slack_[kMost];  // infinite where the general way is the only one
-  alignas(64) double time_[kMost];
+  alignas(64) double point_[3][kRow];
+  alignas(64) double normal_[3][kRow], face_[3][kRow];
+  alignas(64) double slack_[kRow];  // infinite where the general way is the only one
+  alignas(64) double time_[kRow];
   uint8_t done_[kMost];
   size_t done_count_ = 0;
   double reach_ = 0;  // of the points

@@ -133,11 +133,40 @@ class PathWalk {
   bool transformed_ = false, textured_ = false;
 };
 
+void SetMirror(const Ray& ray, SurfaceHit* resolved) {
+  resolved->facing = -Dot(ray.direction, resolved->normal);
+  resolved->mirror = ray.direction + (2 * resolved->facing) * resolved->normal;
+}
+
+// The same as Describe and the general way, without a path.
+void ResolvePlain(const Scene& scene, const Ray& ray, double distance,
+                  const ObjectSet::PlainSphere& plain, SurfaceHit* resolved) {
+  const double* const c = plain.center;
+  const Vector center = {c[0], c[plain.stride], c[2 * plain.stride]};
+  const double radius = c[3 * plain.stride];
+  resolved->point = ray.origin + distance * ray.direction;
+  const Vector n = resolved->point - center;
+  Vector normal = {n.x / radius, n.y / radius, n.z / radius};
+  resolved->entering = Dot(ray.direction, normal) <= 0;
+  if (Dot(ray.direction, normal) > 0) normal = -normal;
+  resolved->normal = resolved->geometric_normal = resolved->face = normal;
+  resolved->smooth = false;
+  resolved->slack = SlackOf(ray, SumOfSizes(center) + 3 * radius, distance);
+  resolved->textured = false;
+  resolved->bound = &scene.bound_surface(plain.surface);
+  resolved->bound_transp = resolved->bound->transp;
+  SetMirror(ray, resolved);
+}
+
 }  // namespace
 
 void ResolveHit(const Scene& scene, const Ray& ray, const Hit& hit, HitPath* path,
                 SurfaceHit* resolved) {
   CHECK(hit.set != nullptr);
+  ObjectSet::PlainSphere plain;
+  if (hit.set->IsPlainSphere(hit.object, &plain)) {
+    return ResolvePlain(scene, ray, hit.distance, plain, resolved);
+  }
   hit.set->Describe(ray, hit, path);
   const Placement& placement = scene.placement(hit.set->placement_of(hit.object));
   const bool enters = TurnToViewer(path);
@@ -147,7 +176,7 @@ void ResolveHit(const Scene& scene, const Ray& ray, const Hit& hit, HitPath* pat
   resolved->geometric_normal = path->geometric_normal;
   resolved->smooth = path->smooth;
   resolved->face = path->geometric_normal;
-  resolved->slack = SlackOf(ray, *path, hit.distance);
+  resolved->slack = SlackOf(ray, path->reach, hit.distance);
   resolved->textured = false;
   resolved->bound = &BoundSurface(scene, *path, placement);
   resolved->bound_transp = resolved->bound->transp;
@@ -156,8 +185,7 @@ void ResolveHit(const Scene& scene, const Ray& ray, const Hit& hit, HitPath* pat
   } else {
     MindEdges(*path, nullptr, resolved);
   }
-  resolved->facing = -Dot(ray.direction, resolved->normal);
-  resolved->mirror = ray.direction + (2 * resolved->facing) * resolved->normal;
+  SetMirror(ray, resolved);
 }
 
 void ResolveHit(const Scene& scene, const Ray& ray, const Hit& hit, SurfaceHit* resolved) {

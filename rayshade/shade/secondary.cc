@@ -30,7 +30,7 @@ void Append(const Ray& ray, const SurfaceHit& hit, const Vector& direction,
   next.media_count = static_cast<uint16_t>(media.size() + (innermost != nullptr ? 1 : 0));
   next.depth = static_cast<uint16_t>(ray.depth + 1);
   next.kind = kind;
-  bundle->media.insert(bundle->media.end(), media.begin(), media.end());
+  if (!media.empty()) bundle->media.insert(bundle->media.end(), media.begin(), media.end());
   if (innermost != nullptr) bundle->media.push_back(*innermost);
 }
 

@@ -19,8 +19,8 @@ Vector Sizes(const Vector& a) { return {std::abs(a.x), std::abs(a.y), std::abs(a
 
 }  // namespace
 
-double SlackOf(const Ray& ray, const HitPath& path, double distance) {
-  return kRoundings * (SumOfSizes(ray.origin) + distance + path.reach);
+double SlackOf(const Ray& ray, double reach, double distance) {
+  return kRoundings * (SumOfSizes(ray.origin) + distance + reach);
 }
 
 double SlackOf(const Ray& ray, const HitPath& path, double distance, const Transform& to_world) {

@@ -13,8 +13,8 @@
 
 namespace rayshade {
 
-// For an object in place.
-double SlackOf(const Ray& ray, const HitPath& path, double distance);
+// For an object in place; reach: HitPath's.
+double SlackOf(const Ray& ray, double reach, double distance);
 // For one that stands behind a transformation from its space to the world.
 double SlackOf(const Ray& ray, const HitPath& path, double distance, const Transform& to_world);
 
