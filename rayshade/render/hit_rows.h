@@ -32,7 +32,7 @@ class HitRows : public PointLightRows {
   void AddThroughTransparent(const Light& light, ShadowTracer* shadows, OpCounts* counts);
 
   alignas(64) double diffuse_[3][kMost], sum_[3][kMost];
-  std::vector<uint32_t> shiny_;  // hits that have highlights
+  std::vector<uint32_t> shiny_;  // rows of hits that have highlights
 
   std::span<const Ray> rays_;
   std::span<const SurfaceHit> surfaces_;

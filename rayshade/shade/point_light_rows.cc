@@ -21,23 +21,24 @@ void PointLightRows::Set(const Scene& scene, std::span<const Ray> rays,
   reach_ = 0;
   count_ = surfaces.size();
   CHECK(count_ <= kMost);
+  order_.Set(surfaces);
   const size_t end = (count_ + 7) / 8 * 8;
-  for (size_t s = 0; s < end; ++s) {
-    const size_t at = std::min(s, count_ - 1);
+  for (size_t row = 0; row < end; ++row) {
+    const size_t at = order_.hit(std::min(row, count_ - 1));
     const SurfaceHit& hit = surfaces[at];
     const Surface& surface = hit.surface();
     for (int k = 0; k < 3; ++k) {
-      point_[k][s] = hit.point[k];
-      normal_[k][s] = hit.normal[k];
-      face_[k][s] = hit.face[k];
+      point_[k][row] = hit.point[k];
+      normal_[k][row] = hit.normal[k];
+      face_[k][row] = hit.face[k];
       reach_ = std::max(reach_, std::abs(hit.point[k]));
     }
     const Ray& ray = rays[owners[at]];
-    time_[s] = ray.time;
+    time_[row] = ray.time;
     // A light surely shows where something of its red does: SampleLight need not be asked.
     const bool plain = !hit.smooth && surface.translucency < kEpsilon && !surface.noshadow &&
                        clear && surface.diffuse.r != 0 && ray.contribution.r != 0;
-    slack_[s] = plain ? hit.slack : std::numeric_limits<double>::infinity();
+    slack_[row] = plain ? hit.slack : std::numeric_limits<double>::infinity();
   }
 }
 
@@ -93,10 +94,11 @@ void PointLightRows::Trace(const Scene& scene, const ObjectSet& objects, const L
 }
 
 LightSample PointLightRows::Sample(const Light& light, uint32_t number, size_t s) const {
+  const size_t row = order_.row(s);
   LightSample sample;
-  sample.toward = {toward_[0][s], toward_[1][s], toward_[2][s]};
-  sample.cosine = cosine_[s];
-  sample.limit = distance_[s];
+  sample.toward = {toward_[0][row], toward_[1][row], toward_[2][row]};
+  sample.cosine = cosine_[row];
+  sample.limit = distance_[row];
   sample.color = light.intensity();
   sample.light = number;
   return sample;

@@ -8,13 +8,14 @@
 
 #include "rayshade/accel/object_set.h"
 #include "rayshade/common/op_counts.h"
+#include "rayshade/shade/hit_order.h"
 #include "rayshade/shade/shade.h"
 
 namespace rayshade {
 
 class PointLightRows {
  public:
-  static constexpr size_t kMost = 512;  // hits
+  static constexpr size_t kMost = HitOrder::kMost;  // hits
 
   // Whether the rows can do a light as SampleLight would.
   static bool Suit(const Scene& scene, const Light& light);
@@ -29,19 +30,21 @@ class PointLightRows {
   void Clear();
 
   // What Trace found for hit s. Not done: the hit goes the general way, through SampleLight.
-  bool done(size_t s) const { return done_[s] != 0; }
+  bool done(size_t s) const { return done_[order_.row(s)] != 0; }
   bool all_done() const { return done_count_ == count_; }
-  bool faces(size_t s) const { return cosine_[s] > 0; }  // else the light does not concern the hit
-  bool blocked(size_t s) const {
-    return blocked_[s] != 0;
-  }  // by an opaque object, or does not face
-  bool crossed(size_t s) const { return crossed_[s] != 0; }  // maybe by something transparent
+  // Else the light does not concern the hit.
+  bool faces(size_t s) const { return cosine_[order_.row(s)] > 0; }
+  // By an opaque object, or does not face.
+  bool blocked(size_t s) const { return blocked_[order_.row(s)] != 0; }
+  // Maybe by something transparent.
+  bool crossed(size_t s) const { return crossed_[order_.row(s)] != 0; }
   // The light's sample of a hit that faces it; color: all that it sends.
   LightSample Sample(const Light& light, uint32_t number, size_t s) const;
 
  protected:
-  // Rows are filled up to groups of eight with the last hit.
+  // Rows are filled up to groups of eight with the last of them.
   size_t count_ = 0;
+  HitOrder order_;
   alignas(64) double toward_[3][kMost];
   alignas(64) double distance_[kMost], cosine_[kMost];
   uint8_t blocked_[kMost], crossed_[kMost];
