@@ -2,8 +2,16 @@
 #include "rayshade/render/hit_rows.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
 
 namespace rayshade {
+
+// A highlight is cosine^p, at most e^(p (cosine - 1)), times specular times what arrives. e^-45 of
+// kFaint times a sum is less than half a unit of its last place: the sum does not change.
+constexpr double kFaintExponent = 45;
+constexpr double kPowerMost = 1e6;  // beyond, rounding of the least cosine would count
 
 void HitRows::Set(const Scene& scene, std::span<const Ray> rays,
                   std::span<const SurfaceHit> surfaces, std::span<const uint32_t> owners,
@@ -13,29 +21,39 @@ void HitRows::Set(const Scene& scene, std::span<const Ray> rays,
   surfaces_ = surfaces;
   owners_ = owners;
   colors_ = colors;
-  shiny_.clear();
+  any_shiny_ = false;
   const size_t end = (count_ + 7) / 8 * 8;
   for (size_t row = 0; row < end; ++row) {
     const size_t at = order_.hit(std::min(row, count_ - 1));
     const Surface& surface = surfaces[at].surface();
+    const Color& s = surface.specular;
     for (int k = 0; k < 3; ++k) {
       diffuse_[k][row] = surface.diffuse[k];
       sum_[k][row] = colors[at][k];
+      mirror_[k][row] = surfaces[at].mirror[k];
     }
-    if (row < count_ && HasHighlight(surface)) shiny_.push_back(static_cast<uint32_t>(row));
+    const bool shiny = HasHighlight(surface);
+    any_shiny_ |= shiny;
+    specular_[row] = shiny ? std::abs(s.r) + std::abs(s.g) + std::abs(s.b) : -1;
+    least_[row] =
+        shiny ? std::max(0.0, 1 - kFaintExponent / std::min<double>(surface.specpow, kPowerMost))
+              : std::numeric_limits<double>::infinity();
   }
 }
 
 // What is added goes out of the rows.
 void HitRows::AddThroughTransparent(const Light& light, ShadowTracer* shadows, OpCounts* counts) {
-  for (size_t row = 0; row < count_; ++row) {
-    if (blocked_[row] || !crossed_[row]) continue;
-    blocked_[row] = 1;
-    const size_t s = order_.hit(row);
-    LightSample sample = Sample(light, 0, s);
-    Ray shadow;
-    MakeShadowRay(rays_[owners_[s]], surfaces_[s], sample.toward, &shadow);
-    if (shadows->Pass(shadow, sample.limit, &sample.color, counts)) Add(s, sample, sample.color);
+  for (size_t begin = 0; begin < count_; begin += 8) {
+    uint64_t passed = EightOf(crossed_, begin) & ~EightOf(blocked_, begin);
+    for (; passed != 0; passed &= passed - 1) {
+      const size_t row = begin + static_cast<size_t>(std::countr_zero(passed)) / 8;
+      blocked_[row] = 1;
+      const size_t s = order_.hit(row);
+      LightSample sample = Sample(light, 0, s);
+      Ray shadow;
+      MakeShadowRay(rays_[owners_[s]], surfaces_[s], sample.toward, &shadow);
+      if (shadows->Pass(shadow, sample.limit, &sample.color, counts)) Add(s, sample, sample.color);
+    }
   }
 }
 
@@ -50,11 +68,29 @@ void HitRows::Illuminate(const Scene& scene, const ObjectSet& objects, const Lig
                       {arrived.r, arrived.g, arrived.b},
                       {sum_[0], sum_[1], sum_[2]},
                       static_cast<uint32_t>(count_)});
-  for (const uint32_t row : shiny_) {
-    if (blocked_[row]) continue;
-    const size_t s = order_.hit(row);
-    const Color highlight = Highlight(surfaces_[s], Sample(light, 0, s), arrived);
-    for (int c = 0; c < 3; ++c) sum_[c][row] += highlight[c];
+  if (any_shiny_) AddHighlights(objects, light);
+}
+
+void HitRows::AddHighlights(const ObjectSet& objects, const Light& light) {
+  const Color arrived = light.intensity();
+  uint8_t shines[kMost];
+  objects.Shine({blocked_,
+                 {toward_[0], toward_[1], toward_[2]},
+                 {mirror_[0], mirror_[1], mirror_[2]},
+                 least_,
+                 specular_,
+                 {sum_[0], sum_[1], sum_[2]},
+                 std::abs(arrived.r) + std::abs(arrived.g) + std::abs(arrived.b),
+                 static_cast<uint32_t>(count_),
+                 shines});
+  for (size_t begin = 0; begin < count_; begin += 8) {
+    for (uint64_t left = EightOf(shines, begin); left != 0; left &= left - 1) {
+      const size_t row = begin + static_cast<size_t>(std::countr_zero(left)) / 8;
+      const size_t s = order_.hit(row);
+      if (!HasHighlight(surfaces_[s].surface())) continue;
+      const Color highlight = Highlight(surfaces_[s], Sample(light, 0, s), arrived);
+      for (int c = 0; c < 3; ++c) sum_[c][row] += highlight[c];
+    }
   }
 }
 

@@ -42,6 +42,9 @@ class PointLightRows {
   LightSample Sample(const Light& light, uint32_t number, size_t s) const;
 
  protected:
+  // Eight flags from a row on that is a multiple of eight; those behind the last hit are 0.
+  uint64_t EightOf(const uint8_t* flags, size_t row) const;
+
   // Rows are filled up to groups of eight with the last of them.
   size_t count_ = 0;
   HitOrder order_;
@@ -51,6 +54,7 @@ class PointLightRows {
 
  private:
   void Aim(const Vector& position, const ObjectSet& objects);
+  size_t CountOf(const uint8_t* flags) const;
 
   alignas(64) double point_[3][kMost];
   alignas(64) double normal_[3][kMost], face_[3][kMost];
