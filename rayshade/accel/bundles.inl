@@ -172,7 +172,7 @@ RAYSHADE_ROUTINE void BlockInLeafOfBundle(const TraceView& view, Bundle* b, cons
     const LeafObject o = ObjectOfLeaf(view, e.branch, i);
     const bool opaque = o.kind == kOtherLeaf || IsOpaque(view, o.object);
     if (!opaque && fate.crossed == nullptr) continue;
-    for (uint32_t m = e.groups; m != 0; m &= m - 1) {
+    for (uint32_t m = GroupsThatMayMeet(*b, leaf, o.kind, i, e.groups); m != 0; m &= m - 1) {
       const int g = __builtin_ctz(m);
       uint32_t surely;
       uint32_t may = RaysThatMayMeet(*b, g, leaf, o.kind, i, &surely);

@@ -102,3 +102,11 @@ RAYSHADE_KERNEL uint32_t RaysThatMayMeet(const Bundle& b, int g, const SeenLeaf&
   }
   return RaysAtQuad(b, g, leaf.part, i, b.live[g], surely);
 }
+
+// The groups of which some ray may meet an object, out of those asked about: bits.
+RAYSHADE_KERNEL uint32_t GroupsThatMayMeet(const Bundle& b, const SeenLeaf& leaf, LeafKind kind,
+                                           uint32_t i, uint32_t asked) {
+  const bool flat = kind == kTriangleLeaf || kind == kPolygonLeaf;
+  if (!leaf.known || !flat || (asked & (asked - 1)) == 0) return asked;
+  return asked & GroupsAtQuad(b, leaf.part, i);
+}

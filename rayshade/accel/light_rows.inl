@@ -42,3 +42,20 @@ RAYSHADE_ROUTINE void AddDiffuse(const DiffuseRows& r) {
     }
   }
 }
+
+RAYSHADE_ROUTINE void Shine(const ShineRows& r) {
+  for (uint32_t i = 0; i < r.count; i += 8) {
+    uint32_t shines = ~BitsAt(r.dark + i, r.count - i) & 0xff;
+    if (shines != 0) {
+      const D8 cosine = LoadD(r.mirror[0] + i) * LoadD(r.toward[0] + i) +
+                        LoadD(r.mirror[1] + i) * LoadD(r.toward[1] + i) +
+                        LoadD(r.mirror[2] + i) * LoadD(r.toward[2] + i);
+      const D8 sum = Min(Min(LoadD(r.sum[0] + i), LoadD(r.sum[1] + i)), LoadD(r.sum[2] + i));
+      const uint32_t faint = Less(cosine, LoadD(r.least + i)) &
+                             Less(LoadD(r.specular + i) * SetD(r.arrived), SetD(kFaint) * sum);
+      shines &= ~faint;
+    }
+    const uint64_t bytes = BytesOf(shines);
+    __builtin_memcpy(r.shines + i, &bytes, 8);
+  }
+}

@@ -187,6 +187,7 @@ void ObjectSet::Block(const ShadowRows& rows, OpCounts* counts) const {
 void ObjectSet::Aim(const AimRows& rows) const { impl_->kernels->aim(rows); }
 void ObjectSet::Sort(const SortRows& rows) const { impl_->kernels->sort(rows); }
 void ObjectSet::AddDiffuse(const DiffuseRows& rows) const { impl_->kernels->add_diffuse(rows); }
+void ObjectSet::Shine(const ShineRows& rows) const { impl_->kernels->shine(rows); }
 
 void ObjectSet::Describe(const Ray& ray, const Hit& hit, HitPath* path) const {
   CHECK(hit.set == this);

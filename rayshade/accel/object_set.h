@@ -93,6 +93,7 @@ class ObjectSet {
   // Before and after the shadow rays of a light.
   void Sort(const SortRows& rows) const;
   void AddDiffuse(const DiffuseRows& rows) const;
+  void Shine(const ShineRows& rows) const;
 
   // The hit described in the space of its primitive; hit.set == this.
   void Describe(const Ray& ray, const Hit& hit, HitPath* path) const;

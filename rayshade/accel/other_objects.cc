@@ -119,8 +119,8 @@ Meeting OtherObjects::Meets(const Ray& ray, uint32_t object, double limit) const
 bool OtherObjects::IsOpaque(const Ray& ray, uint32_t object, double distance) const {
   const Item& item = objects_->item(object);
   const PlacementId placement = objects_->key(object).placement;
-  if (item.kind == kOtherLeaf) {
-    // Inside of a composite, the surface may be a member's own.
+  if (item.kind == kOtherLeaf && item.geom == kCompositeGeom) {
+    // The surface may be a member's own.
     HitPath path;
     Describe(ray, object, distance, &path);
     for (const Attributes* attributes : path.inner) {

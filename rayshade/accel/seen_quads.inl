@@ -33,6 +33,20 @@ RAYSHADE_KERNEL uint32_t RaysAtQuad(const Bundle& b, int g, const float (*part)[
   return may;
 }
 
+// The groups of which some ray may meet the quadrilateral in lane i: bits. part of SeenQuads, as
+// QuadsInPyramid does it.
+RAYSHADE_KERNEL uint32_t GroupsAtQuad(const Bundle& b, const float (*part)[8], uint32_t i) {
+  const Corner c = {LoadF(b.u_low), LoadF(b.u_high), LoadF(b.v_low), LoadF(b.v_high)};
+  const auto furthest = [&](int k) {
+    const F8 normal[3] = {SetF(part[k][i]), SetF(part[k + 1][i]), SetF(part[k + 2][i])};
+    return Furthest(normal, c);
+  };
+  const F8 edges = Min(Min(furthest(0), furthest(3)), Min(furthest(6), furthest(9)));
+  const F8 reached =
+      HeightReached(furthest(12), LoadF(b.most), SetF(part[17][i]), b.viewpoint.q_sum);
+  return ~(Less(edges, SetF(part[15][i])) | Less(reached, SetF(part[16][i]))) & 0xff;
+}
+
 // The parts of a polygon.
 constexpr uint32_t kPartEights = kPartsMost / 8;
 struct SeenParts {

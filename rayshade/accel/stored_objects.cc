@@ -58,6 +58,7 @@ using SpecOfKind = std::variant_alternative_t<kKind, GeomSpec>;
 static_assert(std::is_same_v<SpecOfKind<kSphereGeom>, SphereSpec>);
 static_assert(std::is_same_v<SpecOfKind<kTriangleGeom>, TriangleSpec>);
 static_assert(std::is_same_v<SpecOfKind<kPolygonGeom>, PolygonSpec>);
+static_assert(std::is_same_v<SpecOfKind<kCompositeGeom>, CompositeSpec>);
 
 uint8_t KindOf(const GeomSpec& spec) { return static_cast<uint8_t>(spec.index()); }
 

@@ -19,6 +19,6 @@ namespace {
 #include "rayshade/accel/trace.inl"
 }  // namespace
 
-const Kernels kAvx2Kernels = {"avx2", Nearest, Block, BlockRows, Aim, Sort, AddDiffuse};
+const Kernels kAvx2Kernels = {"avx2", Nearest, Block, BlockRows, Aim, Sort, AddDiffuse, Shine};
 
 }  // namespace rayshade

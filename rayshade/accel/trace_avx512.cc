@@ -19,6 +19,6 @@ namespace {
 #include "rayshade/accel/trace.inl"
 }  // namespace
 
-const Kernels kAvx512Kernels = {"avx512", Nearest, Block, BlockRows, Aim, Sort, AddDiffuse};
+const Kernels kAvx512Kernels = {"avx512", Nearest, Block, BlockRows, Aim, Sort, AddDiffuse, Shine};
 
 }  // namespace rayshade

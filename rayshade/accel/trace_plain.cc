@@ -18,6 +18,6 @@ namespace {
 #include "rayshade/accel/trace.inl"
 }  // namespace
 
-const Kernels kPlainKernels = {"plain", Nearest, Block, BlockRows, Aim, Sort, AddDiffuse};
+const Kernels kPlainKernels = {"plain", Nearest, Block, BlockRows, Aim, Sort, AddDiffuse, Shine};
 
 }  // namespace rayshade

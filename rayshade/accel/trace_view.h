@@ -39,8 +39,8 @@ enum LeafKind : uint8_t {
   kOtherLeaf
 };
 
-// GeomSpec::index() of what leaves of their own hold.
-inline constexpr int kSphereGeom = 0, kTriangleGeom = 4, kPolygonGeom = 7;
+// GeomSpec::index() of what leaves of their own hold, and of what has members.
+inline constexpr int kSphereGeom = 0, kTriangleGeom = 4, kPolygonGeom = 7, kCompositeGeom = 13;
 
 struct alignas(64) Node {
   float plane[6][kNodeWidth];   // low x, y, z, high x, y, z of each child
@@ -145,6 +145,21 @@ struct DiffuseRows {
   uint32_t count;
 };
 
+// Which rows have a highlight that changes their sums: not where dark is 1, and not where the cosine
+// of mirror and toward is below `least` and specular * arrived below kFaint times each sum.
+inline constexpr double kFaint = 1000;
+struct ShineRows {
+  const uint8_t* dark;
+  const double* toward[3];
+  const double* mirror[3];
+  const double* least;
+  const double* specular;
+  const double* sum[3];
+  double arrived;
+  uint32_t count;
+  uint8_t* shines;
+};
+
 // One instruction set's kernels; blocked and crossed as in ObjectSet::Block, crossed may be null.
 // All give the same bits.
 struct Kernels {
@@ -157,6 +172,7 @@ struct Kernels {
   void (*aim)(const AimRows& rows);
   void (*sort)(const SortRows& rows);
   void (*add_diffuse)(const DiffuseRows& rows);
+  void (*shine)(const ShineRows& rows);
 };
 
 extern const Kernels kPlainKernels;

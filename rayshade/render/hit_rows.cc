@@ -2,8 +2,16 @@
 #include "rayshade/render/hit_rows.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
 
 namespace rayshade {
+
+// A highlight is cosine^p, at most e^(p (cosine - 1)), times specular times what arrives. e^-45 of
+// kFaint times a sum is less than half a unit of its last place: the sum does not change.
+constexpr double kFaintExponent = 45;
+constexpr double kPowerMost = 1e6;  // beyond, rounding of the least cosine would count
 
 void HitRows::Set(const Scene& scene, std::span<const Ray> rays,
                   std::span<const SurfaceHit> surfaces, std::span<const uint32_t> owners,
@@ -13,28 +21,39 @@ void HitRows::Set(const Scene& scene, std::span<const Ray> rays,
   surfaces_ = surfaces;
   owners_ = owners;
   colors_ = colors;
-  shiny_.clear();
+  any_shiny_ = false;
   const size_t end = (count_ + 7) / 8 * 8;
-  for (size_t s = 0; s < end; ++s) {
-    const size_t at = std::min(s, count_ - 1);
+  for (size_t row = 0; row < end; ++row) {
+    const size_t at = order_.hit(std::min(row, count_ - 1));
     const Surface& surface = surfaces[at].surface();
+    const Color& s = surface.specular;
     for (int k = 0; k < 3; ++k) {
-      diffuse_[k][s] = surface.diffuse[k];
-      sum_[k][s] = colors[at][k];
+      diffuse_[k][row] = surface.diffuse[k];
+      sum_[k][row] = colors[at][k];
+      mirror_[k][row] = surfaces[at].mirror[k];
     }
-    if (s < count_ && HasHighlight(surface)) shiny_.push_back(static_cast<uint32_t>(s));
+    const bool shiny = HasHighlight(surface);
+    any_shiny_ |= shiny;
+    specular_[row] = shiny ? std::abs(s.r) + std::abs(s.g) + std::abs(s.b) : -1;
+    least_[row] =
+        shiny ? std::max(0.0, 1 - kFaintExponent / std::min<double>(surface.specpow, kPowerMost))
+              : std::numeric_limits<double>::infinity();
   }
 }
 
 // What is added goes out of the rows.
 void HitRows::AddThroughTransparent(const Light& light, ShadowTracer* shadows, OpCounts* counts) {
-  for (size_t s = 0; s < count_; ++s) {
-    if (blocked_[s] || !crossed_[s]) continue;
-    blocked_[s] = 1;
-    LightSample sample = Sample(light, 0, s);
-    Ray shadow;
-    MakeShadowRay(rays_[owners_[s]], surfaces_[s], sample.toward, &shadow);
-    if (shadows->Pass(shadow, sample.limit, &sample.color, counts)) Add(s, sample, sample.color);
+  for (size_t begin = 0; begin < count_; begin += 8) {
+    uint64_t passed = EightOf(crossed_, begin) & ~EightOf(blocked_, begin);
+    for (; passed != 0; passed &= passed - 1) {
+      const size_t row = begin + static_cast<size_t>(std::countr_zero(passed)) / 8;
+      blocked_[row] = 1;
+      const size_t s = order_.hit(row);
+      LightSample sample = Sample(light, 0, s);
+      Ray shadow;
+      MakeShadowRay(rays_[owners_[s]], surfaces_[s], sample.toward, &shadow);
+      if (shadows->Pass(shadow, sample.limit, &sample.color, counts)) Add(s, sample, sample.color);
+    }
   }
 }
 
@@ -49,21 +68,44 @@ void HitRows::Illuminate(const Scene& scene, const ObjectSet& objects, const Lig
                       {arrived.r, arrived.g, arrived.b},
                       {sum_[0], sum_[1], sum_[2]},
                       static_cast<uint32_t>(count_)});
-  for (const uint32_t s : shiny_) {
-    if (blocked_[s]) continue;
-    const Color highlight = Highlight(surfaces_[s], Sample(light, 0, s), arrived);
-    for (int c = 0; c < 3; ++c) sum_[c][s] += highlight[c];
+  if (any_shiny_) AddHighlights(objects, light);
+}
+
+void HitRows::AddHighlights(const ObjectSet& objects, const Light& light) {
+  const Color arrived = light.intensity();
+  uint8_t shines[kMost];
+  objects.Shine({blocked_,
+                 {toward_[0], toward_[1], toward_[2]},
+                 {mirror_[0], mirror_[1], mirror_[2]},
+                 least_,
+                 specular_,
+                 {sum_[0], sum_[1], sum_[2]},
+                 std::abs(arrived.r) + std::abs(arrived.g) + std::abs(arrived.b),
+                 static_cast<uint32_t>(count_),
+                 shines});
+  for (size_t begin = 0; begin < count_; begin += 8) {
+    for (uint64_t left = EightOf(shines, begin); left != 0; left &= left - 1) {
+      const size_t row = begin + static_cast<size_t>(std::countr_zero(left)) / 8;
+      const size_t s = order_.hit(row);
+      if (!HasHighlight(surfaces_[s].surface())) continue;
+      const Color highlight = Highlight(surfaces_[s], Sample(light, 0, s), arrived);
+      for (int c = 0; c < 3; ++c) sum_[c][row] += highlight[c];
+    }
   }
 }
 
 void HitRows::Add(size_t s, const LightSample& sample, const Color& arrived) {
-  Color sum{sum_[0][s], sum_[1][s], sum_[2][s]};
+  const size_t row = order_.row(s);
+  Color sum{sum_[0][row], sum_[1][row], sum_[2][row]};
   AddLight(surfaces_[s], sample, arrived, &sum);
-  for (int c = 0; c < 3; ++c) sum_[c][s] = sum[c];
+  for (int c = 0; c < 3; ++c) sum_[c][row] = sum[c];
 }
 
 void HitRows::Finish() {
-  for (size_t s = 0; s < count_; ++s) colors_[s] = {sum_[0][s], sum_[1][s], sum_[2][s]};
+  for (size_t s = 0; s < count_; ++s) {
+    const size_t row = order_.row(s);
+    colors_[s] = {sum_[0][row], sum_[1][row], sum_[2][row]};
+  }
 }
 
 }  // namespace rayshade

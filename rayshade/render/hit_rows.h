@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "rayshade/render/sequential_tracer.h"
 #include "rayshade/shade/point_light_rows.h"
@@ -31,8 +30,12 @@ class HitRows : public PointLightRows {
  private:
   void AddThroughTransparent(const Light& light, ShadowTracer* shadows, OpCounts* counts);
 
+  void AddHighlights(const ObjectSet& objects, const Light& light);
+
   alignas(64) double diffuse_[3][kRow], sum_[3][kRow];
-  std::vector<uint32_t> shiny_;  // hits that have highlights
+  // For highlights: smaller cosines leave nothing that a sum would notice; sum of channels.
+  alignas(64) double mirror_[3][kRow], least_[kRow], specular_[kRow];
+  bool any_shiny_;
 
   std::span<const Ray> rays_;
   std::span<const SurfaceHit> surfaces_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "rayshade/common/check.h"
@@ -21,24 +22,39 @@ void PointLightRows::Set(const Scene& scene, std::span<const Ray> rays,
   reach_ = 0;
   count_ = surfaces.size();
   CHECK(count_ <= kMost);
+  order_.Set(surfaces);
   const size_t end = (count_ + 7) / 8 * 8;
-  for (size_t s = 0; s < end; ++s) {
-    const size_t at = std::min(s, count_ - 1);
+  for (size_t row = 0; row < end; ++row) {
+    const size_t at = order_.hit(std::min(row, count_ - 1));
     const SurfaceHit& hit = surfaces[at];
     const Surface& surface = hit.surface();
     for (int k = 0; k < 3; ++k) {
-      point_[k][s] = hit.point[k];
-      normal_[k][s] = hit.normal[k];
-      face_[k][s] = hit.face[k];
+      point_[k][row] = hit.point[k];
+      normal_[k][row] = hit.normal[k];
+      face_[k][row] = hit.face[k];
       reach_ = std::max(reach_, std::abs(hit.point[k]));
     }
     const Ray& ray = rays[owners[at]];
-    time_[s] = ray.time;
+    time_[row] = ray.time;
     // A light surely shows where something of its red does: SampleLight need not be asked.
     const bool plain = !hit.smooth && surface.translucency < kEpsilon && !surface.noshadow &&
                        clear && surface.diffuse.r != 0 && ray.contribution.r != 0;
-    slack_[s] = plain ? hit.slack : std::numeric_limits<double>::infinity();
+    slack_[row] = plain ? hit.slack : std::numeric_limits<double>::infinity();
   }
+}
+
+uint64_t PointLightRows::EightOf(const uint8_t* flags, size_t row) const {
+  uint64_t eight = 0;
+  std::memcpy(&eight, flags + row, std::min<size_t>(8, count_ - row));
+  return eight;
+}
+
+size_t PointLightRows::CountOf(const uint8_t* flags) const {
+  static_assert(kMost / 8 < 256);
+  uint64_t sums = 0;  // eight of them
+  for (size_t row = 0; row < count_; row += 8) sums += EightOf(flags, row);
+  const uint64_t pairs = (sums & 0x00ff00ff00ff00ff) + (sums >> 8 & 0x00ff00ff00ff00ff);
+  return pairs * 0x0001000100010001 >> 48;
 }
 
 void PointLightRows::Clear() {
@@ -69,11 +85,8 @@ void PointLightRows::Trace(const Scene& scene, const ObjectSet& objects, const L
                            OpCounts* counts) {
   const Vector& at = *light.position();
   Aim(at, objects);
-  const auto count = [this](const uint8_t* flags, uint8_t value) {
-    return static_cast<size_t>(std::count(flags, flags + count_, value));
-  };
-  done_count_ = count(done_, 1);
-  const size_t traced = count(blocked_, 0);
+  done_count_ = CountOf(done_);
+  const size_t traced = count_ - CountOf(blocked_);
   counts->light_samples += done_count_;
   counts->shadow_rays += traced;
   std::fill_n(crossed_, count_, uint8_t{0});
@@ -89,14 +102,15 @@ void PointLightRows::Trace(const Scene& scene, const ObjectSet& objects, const L
                  scene.any_transparent ? crossed_ : nullptr,
                  static_cast<uint32_t>(count_)},
                 counts);
-  counts->shadow_hits += count(blocked_, 1) - (count_ - traced);
+  counts->shadow_hits += CountOf(blocked_) - (count_ - traced);
 }
 
 LightSample PointLightRows::Sample(const Light& light, uint32_t number, size_t s) const {
+  const size_t row = order_.row(s);
   LightSample sample;
-  sample.toward = {toward_[0][s], toward_[1][s], toward_[2][s]};
-  sample.cosine = cosine_[s];
-  sample.limit = distance_[s];
+  sample.toward = {toward_[0][row], toward_[1][row], toward_[2][row]};
+  sample.cosine = cosine_[row];
+  sample.limit = distance_[row];
   sample.color = light.intensity();
   sample.light = number;
   return sample;

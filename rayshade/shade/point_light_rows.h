@@ -8,13 +8,14 @@
 
 #include "rayshade/accel/object_set.h"
 #include "rayshade/common/op_counts.h"
+#include "rayshade/shade/hit_order.h"
 #include "rayshade/shade/shade.h"
 
 namespace rayshade {
 
 class PointLightRows {
  public:
-  static constexpr size_t kMost = 512;  // hits
+  static constexpr size_t kMost = HitOrder::kMost;  // hits
   // A row's length: rows whose beginnings lie a multiple of 4 kB apart would share one set of the
   // first cache.
   static constexpr size_t kRow = kMost + 8;
@@ -32,25 +33,31 @@ class PointLightRows {
   void Clear();
 
   // What Trace found for hit s. Not done: the hit goes the general way, through SampleLight.
-  bool done(size_t s) const { return done_[s] != 0; }
+  bool done(size_t s) const { return done_[order_.row(s)] != 0; }
   bool all_done() const { return done_count_ == count_; }
-  bool faces(size_t s) const { return cosine_[s] > 0; }  // else the light does not concern the hit
-  bool blocked(size_t s) const {
-    return blocked_[s] != 0;
-  }  // by an opaque object, or does not face
-  bool crossed(size_t s) const { return crossed_[s] != 0; }  // maybe by something transparent
+  // Else the light does not concern the hit.
+  bool faces(size_t s) const { return cosine_[order_.row(s)] > 0; }
+  // By an opaque object, or does not face.
+  bool blocked(size_t s) const { return blocked_[order_.row(s)] != 0; }
+  // Maybe by something transparent.
+  bool crossed(size_t s) const { return crossed_[order_.row(s)] != 0; }
   // The light's sample of a hit that faces it; color: all that it sends.
   LightSample Sample(const Light& light, uint32_t number, size_t s) const;
 
  protected:
-  // Rows are filled up to groups of eight with the last hit.
+  // Eight flags from a row on that is a multiple of eight; those behind the last hit are 0.
+  uint64_t EightOf(const uint8_t* flags, size_t row) const;
+
+  // Rows are filled up to groups of eight with the last of them.
   size_t count_ = 0;
+  HitOrder order_;
   alignas(64) double toward_[3][kRow];
   alignas(64) double distance_[kRow], cosine_[kRow];
   uint8_t blocked_[kMost], crossed_[kMost];
 
  private:
   void Aim(const Vector& position, const ObjectSet& objects);
+  size_t CountOf(const uint8_t* flags) const;
 
   alignas(64) double point_[3][kRow];
   alignas(64) double normal_[3][kRow], face_[3][kRow];
