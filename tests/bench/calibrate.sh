@@ -1,17 +1,22 @@
 #!/bin/bash
-# `make calibrate`: measures this machine for the simulator: calibrate.sh BUILD
+# `make calibrate`: measures this machine for the simulator: calibrate.sh BUILD [operations|contention|messages|machines]
+# (all four, in turn, unless one is named):
 #   1. operations: sequential runs of eight scenes, and the steps of host and trace processes without PVM (step_costs),
 #      unit costs by least squares (fit.awk);
 #   2. contention: two sequential runs side by side against one;
-#   3. messages: ping_pong over PVM, by the project's own transport.
-# Writes BUILD/this.machine, which `make agreement` uses, brings the lines of parallel/sim/machines/*.machine that are
-# tagged `measured` up to date, and fits powerxplorer's slowness anew. CALIBRATE_ROUNDS (default 3): the least time counts.
+#   3. messages: ping_pong over PVM, by the project's own transport;
+#   4. machines: writes BUILD/this.machine, which `make agreement` uses, brings the lines of parallel/sim/machines/*.machine
+#      that are tagged `measured` up to date, and fits powerxplorer's slowness anew.
+# CALIBRATE_ROUNDS (default 3): the least time counts. Operations and contention are in processor time: other programs that
+# run meanwhile do not count, though they do share caches and memory.
 set -u
 cd "$(dirname "$0")/../.." || exit 2
 build=$(cd "$1" && pwd) || exit 2
-rounds=${CALIBRATE_ROUNDS:-3} out=$build/calibrate machines=parallel/sim/machines
+phase=${2:-all} rounds=${CALIBRATE_ROUNDS:-3} out=$build/calibrate machines=parallel/sim/machines
 mkdir -p "$out" || exit 1
 fail() { echo "calibrate: $*" >&2; exit 1; }
+wanted() { [ "$phase" = all ] || [ "$phase" = "$1" ]; }
+TIMEFORMAT='%R %U %S'
 value() { awk -v key="$2" -f tests/support/json_value.awk "$1"; }
 
 # Scenes: four of the usual kind, and four in which one operation outweighs the others.
@@ -23,64 +28,78 @@ echo "$view sphere s .001 0 0 3" >"$out/sky.ray"
 echo "$view plane s 0 0 -1 0 -.7 1" >"$out/plane.ray"
 { echo "$view"; for i in {1..30}; do echo "light .03 point $i 1 20"; done; echo "plane s 0 0 -1 0 -.7 1"; } >"$out/lights.ray"
 
-# Operations.
-"$build/step_costs" >"$out/runs.txt" || fail "step_costs"
-for scene in sky plane lights balls4 balls5 balls6 room8 room30; do
-  for pixels in 256 512; do
-    least=
-    for ((i = 0; i < rounds; i++)); do
-      "$build/rayshade" -q -R $pixels $pixels --stats "$out/run.json" -O "$out/run.png" "$out/$scene.ray" || fail "$scene"
-      seconds=$(value "$out/run.json" trace_seconds)
-      least=$(awk -v a="$seconds" -v b="${least:-$seconds}" 'BEGIN { print a < b ? a : b }')
+measure_operations() {
+  "$build/step_costs" >"$out/runs.txt" || fail "step_costs"
+  for scene in sky plane lights balls4 balls5 balls6 room8 room30; do
+    for pixels in 256 512; do
+      least=
+      for ((i = 0; i < rounds; i++)); do
+        { time "$build/rayshade" -q -R $pixels $pixels --stats "$out/run.json" -O "$out/run.png" "$out/$scene.ray"; } 2>"$out/run.time" || fail "$scene"
+        seconds=$(awk -v seconds="$(value "$out/run.json" trace_seconds)" '{ print seconds * ($2 + $3) / $1 }' "$out/run.time")
+        least=$(awk -v a="$seconds" -v b="${least:-$seconds}" 'BEGIN { print a < b ? a : b }')
+      done
+      line="$scene-$pixels $least $(value "$out/run.json" rays.total)"
+      for name in node_visits primitive_tests cell_steps cell_tests shades light_samples; do line="$line $(value "$out/run.json" operations.$name)"; done
+      echo "$line 0 0 0 $((2 * $(value "$out/run.json" rays.primary))) 0 0" >>"$out/runs.txt"
     done
-    line="$scene-$pixels $least $(value "$out/run.json" rays.total)"
-    for name in node_visits primitive_tests cell_steps cell_tests shades light_samples; do line="$line $(value "$out/run.json" operations.$name)"; done
-    echo "$line 0 0 0 $((2 * $(value "$out/run.json" rays.primary))) 0 0" >>"$out/runs.txt"
   done
-done
-for ((i = 0; i < rounds; i++)); do
-  for scene in lights balls4 balls5 balls6 room8; do
-    for schedule in data-parallel hybrid; do
-      for processes in 1 3; do
-        "$build/step_costs" "$scene-$schedule-$processes" "$out/$scene.ray" 256 $schedule $processes || fail "step_costs $scene"
+  for ((i = 0; i < rounds; i++)); do
+    for scene in lights balls4 balls5 balls6 room8; do
+      for schedule in data-parallel hybrid; do
+        for processes in 1 3; do
+          "$build/step_costs" "$scene-$schedule-$processes" "$out/$scene.ray" 256 $schedule $processes || fail "step_costs $scene"
+        done
       done
     done
-  done
-done | awk '!($1 in least) || $2 < least[$1] { least[$1] = $2; line[$1] = $0 } END { for (name in line) print line[name] }' |
-  sort >>"$out/runs.txt"
-[ "${PIPESTATUS[0]}" = 0 ] || exit 1
-awk -f tests/bench/fit.awk "$out/runs.txt" >"$out/measured.txt" || fail "fit.awk"
+  done | awk '/^lights-.*-build/ { next }  # nothing is distributed there
+    !($1 in least) || $2 < least[$1] { least[$1] = $2; line[$1] = $0 } END { for (name in line) print line[name] }' |
+    sort >>"$out/runs.txt"
+  [ "${PIPESTATUS[0]}" = 0 ] || exit 1
+  awk -f tests/bench/fit.awk "$out/runs.txt" >"$out/operations.txt" || fail "fit.awk"
+}
 
 # Contention: processor time of two sequential runs side by side, against that of one.
 processor_seconds() { # SCENE N: of N runs at once, each
-  local i TIMEFORMAT='%U %S'
+  local i
   {
     time {
       for ((i = 0; i < $2; i++)); do "$build/rayshade" -q -R 512 512 -O "$out/run$i.png" "$out/$1.ray" & done
       wait
     }
-  } 2>&1 | awk -v n="$2" '{ print ($1 + $2) / n }'
+  } 2>&1 | awk -v n="$2" '{ print ($2 + $3) / n }'
 }
-for scene in balls5 balls6 room8; do
-  for ((i = 0; i < rounds; i++)); do
-    echo "$scene $(processor_seconds "$scene" 1) $(processor_seconds "$scene" 2)"
-  done
-done | awk -v processors="$(nproc)" '
-  !($1 in alone) || $2 < alone[$1] { alone[$1] = $2 }
-  !($1 in twin) || $3 < twin[$1] { twin[$1] = $3 }
-  END {
-    for (s in alone) { sum += twin[s] / alone[s] - 1; n++; printf "%s: two at once take %.3f times as long\n", s, twin[s] / alone[s] >"/dev/stderr" }
-    printf "contention %.3g\n", processors > 1 && sum > 0 ? sum / n : 0
-  }' >>"$out/measured.txt"
+measure_contention() {
+  for scene in balls5 balls6 room8; do
+    for ((i = 0; i < rounds; i++)); do
+      echo "$scene $(processor_seconds "$scene" 1) $(processor_seconds "$scene" 2)"
+    done
+  done | awk -v processors="$(nproc)" '
+    !($1 in alone) || $2 < alone[$1] { alone[$1] = $2 }
+    !($1 in twin) || $3 < twin[$1] { twin[$1] = $3 }
+    END {
+      for (s in alone) { sum += twin[s] / alone[s] - 1; n++; printf "%s: two at once take %.3f times as long\n", s, twin[s] / alone[s] >"/dev/stderr" }
+      printf "contention %.3g\n", (processors > 1 && sum > 0 ? sum / n : 0)
+    }' >"$out/contention.txt"
+}
 
-# Messages.
-pvm_conf/private-vm "$build/ping_pong" >>"$out/measured.txt" || fail "ping_pong"
+measure_messages() {
+  local i
+  for ((i = 0; i < rounds; i++)); do
+    pvm_conf/private-vm "$build/ping_pong" || fail "ping_pong"
+  done | awk '!($1 in least) || $2 < least[$1] { least[$1] = $2 } END { for (name in least) print name, least[name] }' >"$out/messages.txt"
+  [ "${PIPESTATUS[0]}" = 0 ] || exit 1
+}
+
+! wanted operations || measure_operations || exit 1
+! wanted contention || measure_contention || exit 1
+! wanted messages || measure_messages || exit 1
+wanted machines || exit 0
 # A byte costs its encoding and its way through PVM.
 awk '{ cost[$1] = $2 }
   END {
     cost["pack"] += cost["send_byte"]; cost["unpack"] += cost["receive_byte"]
     for (name in cost) if (name !~ /_byte$/) print name, cost[name]
-  }' "$out/measured.txt" | sort >"$out/costs.txt"
+  }' "$out/operations.txt" "$out/contention.txt" "$out/messages.txt" | sort >"$out/costs.txt" || exit 1
 
 # This machine.
 awk -v processors="$(nproc)" -v memory="$(awk '/^MemTotal/ { printf "%.0f", 1024 * $2 }' /proc/meminfo)" '
