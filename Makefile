@@ -105,9 +105,9 @@ $(OBJ)/gen/machines.o: $(GEN)/parallel/sim/machines.cc
 $(call object,$(wildcard rayshade/scene/*.cc)): | $(GEN)/rayshade/scene/grammar.h
 
 # One kernel source per instruction set; which one runs is decided at start (accel/).
-$(OBJ)/rayshade/accel/%_avx2.o: CXXFLAGS += -O3 -mavx2 -mbmi -mbmi2
-$(OBJ)/rayshade/accel/%_avx512.o: CXXFLAGS += -O3 -mavx512f -mavx512dq -mavx512vl -mavx512bw -mprefer-vector-width=512
-$(OBJ)/rayshade/accel/%_plain.o: CXXFLAGS += -O3
+$(OBJ)/rayshade/accel/%_avx2.o: CXXFLAGS += $(if $(SAN),,-O3) -mavx2 -mbmi -mbmi2
+$(OBJ)/rayshade/accel/%_avx512.o: CXXFLAGS += $(if $(SAN),,-O3) -mavx512f -mavx512dq -mavx512vl -mavx512bw -mprefer-vector-width=512
+$(OBJ)/rayshade/accel/%_plain.o: CXXFLAGS += $(if $(SAN),,-O3)
 
 $(OBJ)/%.o: %.cc
 	@mkdir -p $(@D)
