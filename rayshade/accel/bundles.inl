@@ -13,8 +13,12 @@ constexpr float kWidestBundle = 0.5f;
 constexpr float kWidestShadowBundle = 0.08f;
 constexpr float kWidestShadowGroup = 0.08f;
 constexpr float kWidestGroup = 0.08f;
-constexpr float kWidestRun = 0.1f;
-constexpr float kWidestPacket = 0.1f;  // of one group with a slope for each ray
+// Of neighbouring groups, and of one group with a slope for each ray. Spheres cost a ray that is
+// alone so little that wide pyramids do not pay.
+struct ShadowWidths {
+  float run, packet;
+};
+constexpr ShadowWidths kWidest = {0.1f, 0.1f}, kWidestAmongSpheres = {0.05f, 0.03f};
 // Work that a bundle may be for each of its groups.
 constexpr int kNearestPatience = 100;
 constexpr int kBlockPatience = 60;

@@ -8,7 +8,7 @@
 struct SeenSpheres {
   F8 u, v, radius, inner;
   F8 nearest, farthest;  // depth
-  uint32_t around;  // bits of those that are not left out: the apex is too near
+  uint32_t around;       // bits of those that are not left out: the apex is too near
 };
 
 RAYSHADE_KERNEL SeenSpheres SeeSpheres(const TraceView& view, uint64_t branch, const Viewpoint& p,

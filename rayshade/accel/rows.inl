@@ -95,7 +95,7 @@ RAYSHADE_KERNEL uint32_t TakeGroups(uint32_t groups, int axis, double sign, uint
 }
 
 // The groups from the first of `groups` on that make one narrow pyramid, which becomes the whole.
-RAYSHADE_KERNEL uint32_t NarrowRun(uint32_t groups, Bundle* b) {
+RAYSHADE_KERNEL uint32_t NarrowRun(uint32_t groups, float widest, Bundle* b) {
   Slopes<float>& w = b->whole;
   uint32_t run = 0;
   for (uint32_t m = groups; m != 0; m &= m - 1) {
@@ -106,7 +106,7 @@ RAYSHADE_KERNEL uint32_t NarrowRun(uint32_t groups, Bundle* b) {
     if (run != 0) {
       next = {lower(w.u_low, next.u_low), higher(w.u_high, next.u_high), lower(w.v_low, next.v_low),
               higher(w.v_high, next.v_high), 0};
-      if (next.u_high - next.u_low > kWidestRun || next.v_high - next.v_low > kWidestRun) break;
+      if (next.u_high - next.u_low > widest || next.v_high - next.v_low > widest) break;
     }
     w = next;
     run |= 1u << g;
@@ -150,17 +150,18 @@ RAYSHADE_KERNEL void SurroundRun(const TraceView& view, const ShadowRows& rows, 
 RAYSHADE_KERNEL void BlockRuns(const TraceView& view, const ShadowRows& rows, uint32_t groups,
                                double sign, const Fate& fate, uint32_t first, Bundle* b,
                                LoneRays* lone, Counters* counters) {
+  const ShadowWidths& widest = view.flat->items == nullptr ? kWidestAmongSpheres : kWidest;
   while (groups != 0) {
-    uint32_t run = NarrowRun(groups, b);
+    uint32_t run = NarrowRun(groups, widest.run, b);
     groups &= ~run;
     if ((run & (run - 1)) != 0) {
       SurroundRun(view, rows, run, sign, b);
       if (BlockBundle(view, b, run, fate, counters)) continue;
     }
     for (; run != 0; run &= run - 1) {
-      const uint32_t one = NarrowRun(run & -run, b);
+      const uint32_t one = NarrowRun(run & -run, widest.run, b);
       const Slopes<float>& w = b->whole;
-      if (w.u_high - w.u_low > kWidestPacket || w.v_high - w.v_low > kWidestPacket) {
+      if (w.u_high - w.u_low > widest.packet || w.v_high - w.v_low > widest.packet) {
         AppendLive(*b, one, first, lone);
         continue;
       }

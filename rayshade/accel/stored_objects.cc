@@ -290,7 +290,8 @@ const double* StoredObjects::SphereRow(uint32_t object, uint32_t* stride) const 
   const uint32_t first = from + static_cast<uint32_t>(std::bit_width(up_to)) - 1;
   uint32_t end = sphere_count();
   if (object + 1 < end) {
-    end = std::min(end, object + 1 + static_cast<uint32_t>(std::countr_zero(bits_from(object + 1))));
+    end =
+        std::min(end, object + 1 + static_cast<uint32_t>(std::countr_zero(bits_from(object + 1))));
   }
   *stride = end - first;
   return &spheres_[first].x + (object - first);

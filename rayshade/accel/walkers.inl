@@ -28,8 +28,10 @@ struct Walker {
   RayWork work;
   Hit hit;
   Ray own;  // where it is not the caller's
-  Frame frames[kDepthMax + 2];
+  // More than there can be: what all walkers use most should not share a few sets of the cache.
+  Frame frames[kDepthMax + 7];
 };
+static_assert(sizeof(Walker) % 4096 == 4 * 64);
 
 RAYSHADE_KERNEL void PutAtRoot(double limit, Walker* w) {
   w->most = Loosened(limit);

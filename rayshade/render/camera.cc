@@ -98,11 +98,11 @@ Ray Camera::PrimaryRay(const Sample& sample) const {
 }
 
 void Camera::AppendPrimaryRays(std::span<const Sample> samples, std::vector<Ray>* rays) const {
-  const size_t before = rays->size();
-  rays->resize(before + samples.size());
+  rays->reserve(rays->size() + samples.size());
   for (size_t i = 0; i < samples.size(); i += kTogether) {
-    SetPrimaryRays(samples.subspan(i, std::min(kTogether, samples.size() - i)),
-                   rays->data() + before + i);
+    const auto some = samples.subspan(i, std::min(kTogether, samples.size() - i));
+    rays->resize(rays->size() + some.size());
+    SetPrimaryRays(some, rays->data() + rays->size() - some.size());
   }
 }
 

@@ -9,9 +9,7 @@
 #include <vector>
 
 #include "rayshade/common/keyed_random.h"
-#include "rayshade/common/keyed_random.h"
 #include "rayshade/common/ray.h"
-#include "rayshade/common/sample_pattern.h"
 #include "rayshade/common/sample_pattern.h"
 #include "rayshade/scene/settings.h"
 
