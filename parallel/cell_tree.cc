@@ -8,14 +8,6 @@
 
 namespace rayshade::parallel {
 
-namespace {
-
-// Relative widening of distances: far above the rounding of a hit's distance, far below what
-// matters to speed.
-constexpr double kOutwards = 1e-9;
-
-}  // namespace
-
 RayInterval Intersect(const Bounds& box, const Vector& origin, const Vector& direction) {
   double entry = -HUGE_VAL, exit = HUGE_VAL;
   for (int axis = 0; axis < 3; ++axis) {
@@ -29,10 +21,6 @@ RayInterval Intersect(const Bounds& box, const Vector& origin, const Vector& dir
     exit = std::min(exit, std::max(a, b));
   }
   return RoundedOutwards(entry, exit);
-}
-
-RayInterval RoundedOutwards(double entry, double exit) {
-  return {entry - kOutwards * std::abs(entry), exit + kOutwards * std::abs(exit)};
 }
 
 CellTree::CellTree(const Bounds& bounds)

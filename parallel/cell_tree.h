@@ -9,6 +9,7 @@
 //      that a hit on a border is found from either side.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -57,8 +58,12 @@ struct RayInterval {
   bool empty() const { return entry > exit; }
 };
 RayInterval Intersect(const Bounds& box, const Vector& origin, const Vector& direction);
-// What Intersect makes of exact distances.
-RayInterval RoundedOutwards(double entry, double exit);
+// What Intersect makes of its distances: widened relatively, far above the rounding of a hit's
+// distance, far below what matters to speed.
+inline RayInterval RoundedOutwards(double entry, double exit) {
+  constexpr double kOutwards = 1e-9;
+  return {entry - kOutwards * std::abs(entry), exit + kOutwards * std::abs(exit)};
+}
 // A direction component below this moves a ray by nothing within any distance.
 inline constexpr double kAlongPlanes = 1e-200;
 

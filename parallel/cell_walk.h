@@ -33,7 +33,7 @@ class CellWalk {
     Open(0, root, limit);
     size_t steps = 0;
     while (!open_.empty()) {
-      const Step step = open_.back();
+      Step step = open_.back();
       open_.pop_back();
       ++steps;
       if (step.leaf) {
@@ -46,15 +46,17 @@ class CellWalk {
       const double plane = along ? 0 : (node.plane - o) / d;
       const auto open_low = [&] {
         if (skip(node.low) || (along && o > node.plane)) return;
-        Step low = step;
-        if (!along) low.of_high[node.axis] = plane;
-        Open(node.low, low, limit);
+        const double kept = step.of_high[node.axis];
+        if (!along) step.of_high[node.axis] = plane;
+        Open(node.low, step, limit);
+        step.of_high[node.axis] = kept;
       };
       const auto open_high = [&] {
         if (skip(node.high) || (along && o < node.plane)) return;
-        Step high = step;
-        if (!along) high.of_low[node.axis] = plane;
-        Open(node.high, high, limit);
+        const double kept = step.of_low[node.axis];
+        if (!along) step.of_low[node.axis] = plane;
+        Open(node.high, step, limit);
+        step.of_low[node.axis] = kept;
       };
       // The further one first: it comes to stand beneath the nearer one.
       if (d < 0) {
@@ -101,19 +103,20 @@ class CellWalk {
     return true;
   }
 
-  // Adds a node whose planes are known, if the ray meets it.
-  void Open(uint32_t node, Step step, double limit) {
+  // Adds a node with these planes, if the ray meets it.
+  void Open(uint32_t node, const Step& planes, double limit) {
     double entry = -HUGE_VAL, exit = HUGE_VAL;
     for (int axis = 0; axis < 3; ++axis) {
-      entry = std::max(entry, std::min(step.of_low[axis], step.of_high[axis]));
-      exit = std::min(exit, std::max(step.of_low[axis], step.of_high[axis]));
+      entry = std::max(entry, std::min(planes.of_low[axis], planes.of_high[axis]));
+      exit = std::min(exit, std::max(planes.of_low[axis], planes.of_high[axis]));
     }
-    step.interval = RoundedOutwards(entry, exit);
-    if (step.interval.empty() || step.interval.exit < 0 || step.interval.entry > limit) return;
+    const RayInterval interval = RoundedOutwards(entry, exit);
+    if (interval.empty() || interval.exit < 0 || interval.entry > limit) return;
     const CellNode& n = tree_->nodes()[node];
+    Step& step = open_.emplace_back(planes);
+    step.interval = interval;
     step.leaf = n.axis == 3;
     step.id = step.leaf ? n.low : node;
-    open_.push_back(step);
     for (size_t i = open_.size() - 1; i > 0 && Later(open_[i], open_[i - 1]); --i)
       std::swap(open_[i], open_[i - 1]);
   }

@@ -2,7 +2,8 @@
 # `make agreement`: the simulator against real runs over PVM on this machine, by BUILD/this.machine of `make calibrate`:
 #   agreement.sh BUILD [measure|simulate|compare]
 # (all three, in turn, unless one is named). Prints each comparison with its bar; the status is 0 where all are met.
-# AGREEMENT_ROUNDS (default 3): real tracing times are the medians of so many runs. AGREEMENT_PIXELS (default 512).
+# AGREEMENT_ROUNDS (default 3): real figures are the medians of so many runs, with the least and the largest behind them where
+# they differ. AGREEMENT_PIXELS (default 512).
 # A shared machine is not equally fast all the time: each run has a sequential run of balls4 before and behind it, of which make
 # calibrate has measured the time as well, and its own time is taken in proportion. Where other programs take over a fifth of a
 # processor during these, the run is made again, AGREEMENT_TRIES times (default 3) at most; what remains disturbed is counted.
@@ -45,11 +46,11 @@ measure() {
   for ((i = 1; i <= rounds; i++)); do
     for ((try = 1; try <= tries; try++)); do
       before=$(beside) || exit 1
-      "$build/prayshade" "$@" --stats "$out/$name.json" -O "$out/$name.png" "$out/$scene.ray" || exit 1
+      "$build/prayshade" "$@" --stats "$out/$name.$i.json" -O "$out/$name.png" "$out/$scene.ray" || exit 1
       after=$(beside) || exit 1
       awk -v a="${before#* }" -v b="${after#* }" 'BEGIN { exit !(a <= .2 && b <= .2) }' && break
     done
-    awk -v seconds="$(value "$out/$name.json" trace_seconds)" -v a="${before% *}" -v b="${after% *}" -v calibrated="$calibrated" \
+    awk -v seconds="$(value "$out/$name.$i.json" trace_seconds)" -v a="${before% *}" -v b="${after% *}" -v calibrated="$calibrated" \
       -v disturbed=$((try > tries)) \
       'BEGIN { printf "%.6f %.6f %s\n", seconds * calibrated / ((a + b) / 2), seconds, disturbed ? "disturbed" : "alone" }' >>"$out/$name.times"
   done
@@ -60,25 +61,33 @@ simulate() {
 }
 
 failures=0
-bar() { # bar NAME WHAT REAL SIMULATED PERCENT
-  awk -v name="$1" -v what="$2" -v real="$3" -v simulated="$4" -v percent="$5" 'BEGIN {
+bar() { # bar NAME WHAT REAL... SIMULATED PERCENT: as many real figures as there are
+  local name=$1 what=$2 percent=${*: -1} simulated=${*: -2:1}
+  printf '%s\n' "${@:3:$#-4}" | sort -g | awk -v name="$name" -v what="$what" -v simulated="$simulated" -v percent="$percent" '
+    { value[NR] = $1 }
+    END {
+    real = value[int((NR + 1) / 2)]
     off = real == simulated ? 0 : real == 0 ? 100 : 100 * (simulated / real - 1)
-    met = percent == 0 ? real == simulated : off <= percent && off >= -percent
-    printf "%-26s %-14s %12.6g %12.6g %+7.1f%%  %s\n", name, what, real, simulated, off,
-      met ? (percent == 0 ? "equal" : "within " percent "%") : "NOT " (percent == 0 ? "equal" : "within " percent "%")
+    met = percent == 0 ? value[1] == simulated && value[NR] == simulated : off <= percent && off >= -percent
+    printf "%-26s %-14s %12.6g %12.6g %+7.1f%%  %s%s\n", name, what, real, simulated, off,
+      (met ? "" : "NOT ") (percent == 0 ? "equal" : "within " percent "%"),
+      value[1] < value[NR] ? sprintf("  (%.6g to %.6g)", value[1], value[NR]) : ""
     exit !met }' || failures=$((failures + 1))
 }
 compare() {
   local name=$1 key percent=10
-  bar "$name" trace_seconds "$(sort -g "$out/$name.times" | awk '{ v[NR] = $1 } END { print v[int((NR + 1) / 2)] }')" \
-    "$(value "$out/$name-sim.json" trace_seconds)" 20
+  bar "$name" trace_seconds $(awk '{ print $1 }' "$out/$name.times") "$(value "$out/$name-sim.json" trace_seconds)" 20
   [[ $name != *data-parallel* ]] || percent=0
   for key in rays.primary rays.shadow rays.reflected operations.hits operations.shadow_hits forwarded_rays; do
-    bar "$name" "${key#*.}" "$(value "$out/$name.json" $key)" "$(value "$out/$name-sim.json" $key)" $percent
+    bar "$name" "${key#*.}" $(of_rounds value "$name" $key) "$(value "$out/$name-sim.json" $key)" $percent
   done
   for key in messages bytes_sent; do
-    bar "$name" $key "$(traced "$out/$name.json" $key)" "$(traced "$out/$name-sim.json" $key)" 10
+    bar "$name" $key $(of_rounds traced "$name" $key) "$(traced "$out/$name-sim.json" $key)" 10
   done
+}
+of_rounds() { # of_rounds FUNCTION NAME KEY
+  local json
+  for json in "$out/$2".[0-9]*.json; do "$1" "$json" "$3"; done
 }
 # What was sent while tracing: the whole without the distribution of the objects.
 traced() {
@@ -87,7 +96,7 @@ traced() {
 }
 
 if [ "$phase" = all ] || [ "$phase" = measure ]; then
-  rm -f "$out"/*.times
+  rm -f "$out"/*.times "$out"/*.[0-9]*.json
   [ -n "${PVM_VMID:-}" ] || export PVM_VMID=agreement$$
   each measure
 fi

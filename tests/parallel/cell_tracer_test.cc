@@ -223,7 +223,10 @@ TEST_F(CellTracerTest, RaysLookedAtForTheCellsOfAClipListAreCounted) {
 
   std::vector<CellTracer::Shadow> shadows(64);
   size_t unblocked = 0;
-  for (size_t i = 0; i < 64; ++i) shadows[i] = {.ray = &rays[i], .limit = 100};
+  for (size_t i = 0; i < 64; ++i) {
+    shadows[i].ray = &rays[i];
+    shadows[i].limit = 100;
+  }
   tracer.Shadows(shadows, &shadow);
   for (const CellTracer::Shadow& s : shadows) unblocked += !s.blocked;
   EXPECT_GT(unblocked, 8u);
