@@ -67,7 +67,8 @@ TEST(Csg, DifferenceHasTheHitsOfTheTable) {
 
 TEST(Csg, ShowsTheFirstOperandOfAUnionAndTheSecondOfAnIntersectionOfIdenticalObjects) {
   const std::vector<PlacedSpec> same{Place(SphereSpec{1, {}}, kA), Place(SphereSpec{1, {}}, kB)};
-  const Probe both = ShootAt(Combine(AggregateKind::kUnion, same), {-5, 0, 0}, {1, 0, 0});
+  const auto geom = MakeGeom(Combine(AggregateKind::kUnion, same));  // the path points into it
+  const Probe both = ShootAt(*geom, {-5, 0, 0}, {1, 0, 0});
   ASSERT_TRUE(both.hit);
   EXPECT_EQ(kA, both.path.inner[0]->surface);
   EXPECT_FALSE(ShootAt(Combine(AggregateKind::kDifference, same), {-5, .1, 0}, {1, 0, 0}).hit);
