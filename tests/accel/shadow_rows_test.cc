@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <memory>
 #include <random>
+#include <variant>
 #include <vector>
 
 #include "rayshade/accel/object_set.h"
@@ -84,6 +85,31 @@ Room MakeRoom(Random* random, const Vector& center, double off) {
     room.specs.push_back(SphereSpec{random->Between(0.05, 0.4), center + random->Point(4)});
   }
   return room;
+}
+
+// Spheres alone, so that nothing but spheres decides how wide pyramids may be.
+Room MakeBalls(Random* random, const Vector& center) {
+  Room room;
+  room.center = center;
+  for (int i = 0; i < 120; ++i) {
+    const SphereSpec ball{random->Between(0.05, i % 10 == 0 ? 2 : 0.6), center + random->Point(4)};
+    room.specs.push_back(ball);
+    room.marks.push_back(ball.center + ball.radius * Normalized(random->Point(1)));
+  }
+  return room;
+}
+
+// Points near the rims of balls as seen from the light: just within, just outside, and the rims.
+void MarkRims(Random* random, const Vector& light, Room* room) {
+  for (size_t i = 0; i < room->specs.size(); ++i) {
+    const auto& ball = std::get<SphereSpec>(room->specs[i]);
+    const Vector to = ball.center - light;
+    const double size = ball.radius / Length(to);
+    if (size > 0.9) continue;
+    const Vector aside = Normalized(Cross(to, random->Point(1)));
+    const double off = std::pow(10, -random->Between(1, 12)) * (static_cast<double>(i % 3) - 1);
+    room->marks[i] = ball.center + ball.radius / std::sqrt(1 - size * size) * (1 + off) * aside;
+  }
 }
 
 // Where the shadow rays start: around one place, on a plane that the light grazes, behind marks as
@@ -174,14 +200,19 @@ int InTheWay(const ObjectSet& set, const Rows& rows, size_t i) {
   return found;
 }
 
-void Compare(uint64_t seed, const Vector& center, double off) {
+enum class Objects { kAllKinds, kBalls };
+
+void Compare(uint64_t seed, const Vector& center, double off,
+             Objects objects = Objects::kAllKinds) {
   Random random(seed);
-  const Room room = MakeRoom(&random, center, off);
+  const bool balls = objects == Objects::kBalls;
+  Room room = balls ? MakeBalls(&random, center) : MakeRoom(&random, center, off);
   const std::unique_ptr<Scene> scene = MakeScene();
   const double reach = 20 + SumOfSizes(center);
   for (int how = 0; how < 8; ++how) {
     const Vector light =
         how < 4 ? center + random.Point(5) : room.marks[how * 7] + Vector{0, 0, off};
+    if (balls) MarkRims(&random, light, &room);
     Rows rows(Starts(&random, room, light, how % 4));
     std::vector<int> expected;
     for (const char* simd : kAllKernels) {
@@ -227,6 +258,12 @@ TEST(ShadowRows, AnswerAsTheObjectsFarFromTheOrigin) {
   for (uint64_t seed = 51; seed <= 54; ++seed) Compare(seed, {1e3, -2e3, 3e3}, 1e-6);
   for (uint64_t seed = 61; seed <= 64; ++seed) Compare(seed, {2e5, -1e5, 3e5}, 1e-6);
   for (uint64_t seed = 71; seed <= 72; ++seed) Compare(seed, {2e6, -1e6, 3e6}, 1e-6);
+}
+
+TEST(ShadowRows, AnswerAsBallsOneByOneAlsoAtTheirRims) {
+  for (uint64_t seed = 81; seed <= 92; ++seed) Compare(seed, {0, 0, 0}, 0, Objects::kBalls);
+  for (uint64_t seed = 93; seed <= 96; ++seed) Compare(seed, {1e3, -2e3, 3e3}, 0, Objects::kBalls);
+  for (uint64_t seed = 97; seed <= 99; ++seed) Compare(seed, {2e5, -1e5, 3e5}, 0, Objects::kBalls);
 }
 
 TEST(LightRows, DoWhatTheyDoForOneHitAtATime) {

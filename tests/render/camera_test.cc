@@ -5,7 +5,9 @@
 
 #include <cmath>
 #include <set>
+#include <vector>
 
+#include "rayshade/common/keyed_random.h"
 #include "rayshade/common/sample_pattern.h"
 #include "rayshade/render/sample_numbers.h"
 
@@ -104,6 +106,35 @@ TEST(Camera, LowDiscrepancyNumbersBeginAtZeroForEveryN) {
     }
     EXPECT_EQ(numbers.size(), size_t(cells));
     EXPECT_EQ(*numbers.rbegin(), uint32_t(cells - 1));
+  }
+}
+
+TEST(Camera, AppendsTheRaysThatItGivesOneByOne) {
+  Settings settings = Small(40, 30);
+  settings.jitter = true;
+  settings.seed = 7;
+  settings.shutter = .5;
+  for (double aperture : {0., .25}) {
+    settings.aperture = aperture;
+    for (settings.samples = 1; settings.samples <= 4; settings.samples += 3) {
+      const Camera camera(settings, 2);
+      std::vector<Sample> samples;
+      for (int i = 0; i < 150; ++i) {
+        const auto cell = static_cast<uint16_t>(i % (settings.samples * settings.samples));
+        samples.push_back({i % 40, i / 5, cell, i % 2 == 0});
+      }
+      std::vector<Ray> rays(1);  // one is there already
+      camera.AppendPrimaryRays(samples, &rays);
+      ASSERT_EQ(rays.size(), samples.size() + 1);
+      for (size_t i = 0; i < samples.size(); ++i) {
+        const Ray one = camera.PrimaryRay(samples[i]), &ray = rays[i + 1];
+        EXPECT_EQ(ray.origin, one.origin);
+        EXPECT_EQ(ray.direction, one.direction);
+        EXPECT_EQ(ray.time, one.time);
+        EXPECT_EQ(ray.key, SampleKey(7, 2, samples[i].x, samples[i].y, samples[i].sub_cell));
+        EXPECT_EQ(ray.sample_number, one.sample_number);
+      }
+    }
   }
 }
 

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
+#include "rayshade/shade/slack.h"
 #include "tests/shade/text_scene.h"
 
 namespace rayshade {
@@ -24,6 +26,38 @@ TEST(ResolveHit, NormalsOfASquashedSphereAreThoseOfTheEllipsoid) {
   EXPECT_NEAR(hit.normal.x, normal.x, 1e-12);
   EXPECT_NEAR(hit.normal.y, normal.y, 1e-12);
   EXPECT_TRUE(hit.entering);
+}
+
+TEST(ResolveHit, PlainSpheresAreResolvedAsTheirDescriptionSays) {
+  // A tree of leaves, so that rows of spheres are read from their middles, too.
+  std::string text = "surface s diffuse .5 .4 .3\n";
+  for (int i = 0; i < 60; ++i) {
+    text += "sphere s ." + std::to_string(20 + i) + " " + std::to_string(i % 8) + " " +
+            std::to_string(i / 8) + " ." + std::to_string(100 + i) + "\n";
+  }
+  TextScene scene(text);
+  int found = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Vector from = i % 4 == 0 ? Vector{i % 8 + .01, i % 7 + .02, .1} : Vector{3.1, 2.9, 20};
+    const Ray ray = TextScene::RayTo(from, {i % 13 - 6.3, i % 11 - 5.2, i % 4 == 0 ? 3 : -19.});
+    Hit hit;
+    OpCounts counts;
+    scene.objects().Nearest({&ray, 1}, {&hit, 1}, &counts);
+    if (!hit.found()) continue;
+    ++found;
+    SurfaceHit resolved;
+    ResolveHit(scene.scene(), ray, hit, &resolved);
+    HitPath path;
+    hit.set->Describe(ray, hit, &path);
+    const bool enters = Dot(ray.direction, path.normal) <= 0;
+    EXPECT_EQ(resolved.entering, enters);
+    EXPECT_EQ(resolved.point, path.point);
+    EXPECT_EQ(resolved.normal, enters ? path.normal : -path.normal);
+    EXPECT_EQ(resolved.face, resolved.normal);
+    EXPECT_EQ(resolved.slack, SlackOf(ray, path.reach, hit.distance));
+    EXPECT_EQ(resolved.surface().diffuse, (Color{.5, .4, .3}));
+  }
+  EXPECT_GT(found, 50);
 }
 
 TEST(ResolveHit, NormalsFaceTheViewerFromInsideToo) {
