@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 #include "rayshade/common/check.h"
@@ -41,12 +40,6 @@ void PointLightRows::Set(const Scene& scene, std::span<const Ray> rays,
                        clear && surface.diffuse.r != 0 && ray.contribution.r != 0;
     slack_[row] = plain ? hit.slack : std::numeric_limits<double>::infinity();
   }
-}
-
-uint64_t PointLightRows::EightOf(const uint8_t* flags, size_t row) const {
-  uint64_t eight = 0;
-  std::memcpy(&eight, flags + row, std::min<size_t>(8, count_ - row));
-  return eight;
 }
 
 size_t PointLightRows::CountOf(const uint8_t* flags) const {
