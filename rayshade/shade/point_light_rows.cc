@@ -9,6 +9,9 @@
 
 namespace rayshade {
 
+// Fewer do not make up for the work of ordering.
+constexpr size_t kLightsToOrderFor = 4;
+
 bool PointLightRows::Suit(const Scene& scene, const Light& light) {
   const Settings& settings = scene.settings();
   return light.position() != nullptr && settings.shadows && !light.noshadow() &&
@@ -21,7 +24,7 @@ void PointLightRows::Set(const Scene& scene, std::span<const Ray> rays,
   reach_ = 0;
   count_ = surfaces.size();
   CHECK(count_ <= kMost);
-  order_.Set(surfaces);
+  order_.Set(surfaces, scene.lights.size() >= kLightsToOrderFor);
   const size_t end = (count_ + 7) / 8 * 8;
   for (size_t row = 0; row < end; ++row) {
     const size_t at = order_.hit(std::min(row, count_ - 1));
