@@ -145,8 +145,8 @@ struct DiffuseRows {
   uint32_t count;
 };
 
-// Which rows have a highlight that changes their sums: not where dark is 1, and not where the cosine
-// of mirror and toward is below `least` and specular * arrived below kFaint times each sum.
+// Which rows have a highlight that changes their sums: not where dark is 1, and not where the
+// cosine of mirror and toward is below `least` and specular * arrived below kFaint times each sum.
 inline constexpr double kFaint = 1000;
 struct ShineRows {
   const uint8_t* dark;

@@ -68,7 +68,7 @@ void Order(std::span<Place> from, Place* scratch) {
 
 }  // namespace
 
-void HitOrder::Set(std::span<const SurfaceHit> hits) {
+void HitOrder::Set(std::span<const SurfaceHit> hits, bool by_place) {
   CHECK(hits.size() <= kMost);
   Place places[kMost], scratch[kMost];
   for (size_t i = 0; i < hits.size(); ++i) {
@@ -76,7 +76,7 @@ void HitOrder::Set(std::span<const SurfaceHit> hits) {
     places[i] = {{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)},
                  static_cast<uint32_t>(i)};
   }
-  Order({places, hits.size()}, scratch);
+  if (by_place) Order({places, hits.size()}, scratch);
   for (size_t row = 0; row < hits.size(); ++row) {
     const uint32_t hit = places[row].hit;
     hit_[row] = static_cast<uint16_t>(hit);

@@ -15,8 +15,8 @@ class HitOrder {
  public:
   static constexpr size_t kMost = 512;  // hits
 
-  // REQUIRES: at most kMost.
-  void Set(std::span<const SurfaceHit> hits);
+  // by_place: else as they come. REQUIRES: at most kMost.
+  void Set(std::span<const SurfaceHit> hits, bool by_place);
 
   size_t hit(size_t row) const { return hit_[row]; }
   size_t row(size_t hit) const { return row_[hit]; }

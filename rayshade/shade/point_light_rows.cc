@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 #include "rayshade/common/check.h"
 
 namespace rayshade {
+
+// Fewer do not make up for the work of ordering.
+constexpr size_t kLightsToOrderFor = 4;
 
 bool PointLightRows::Suit(const Scene& scene, const Light& light) {
   const Settings& settings = scene.settings();
@@ -22,7 +24,7 @@ void PointLightRows::Set(const Scene& scene, std::span<const Ray> rays,
   reach_ = 0;
   count_ = surfaces.size();
   CHECK(count_ <= kMost);
-  order_.Set(surfaces);
+  order_.Set(surfaces, scene.lights.size() >= kLightsToOrderFor);
   const size_t end = (count_ + 7) / 8 * 8;
   for (size_t row = 0; row < end; ++row) {
     const size_t at = order_.hit(std::min(row, count_ - 1));
@@ -41,12 +43,6 @@ void PointLightRows::Set(const Scene& scene, std::span<const Ray> rays,
                        clear && surface.diffuse.r != 0 && ray.contribution.r != 0;
     slack_[row] = plain ? hit.slack : std::numeric_limits<double>::infinity();
   }
-}
-
-uint64_t PointLightRows::EightOf(const uint8_t* flags, size_t row) const {
-  uint64_t eight = 0;
-  std::memcpy(&eight, flags + row, std::min<size_t>(8, count_ - row));
-  return eight;
 }
 
 size_t PointLightRows::CountOf(const uint8_t* flags) const {

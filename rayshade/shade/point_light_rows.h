@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 #include <span>
 
 #include "rayshade/accel/object_set.h"
@@ -46,7 +47,15 @@ class PointLightRows {
 
  protected:
   // Eight flags from a row on that is a multiple of eight; those behind the last hit are 0.
-  uint64_t EightOf(const uint8_t* flags, size_t row) const;
+  uint64_t EightOf(const uint8_t* flags, size_t row) const {
+    uint64_t eight = 0;
+    if (row + 8 <= count_) {
+      std::memcpy(&eight, flags + row, 8);
+    } else {
+      std::memcpy(&eight, flags + row, count_ - row);
+    }
+    return eight;
+  }
 
   // Rows are filled up to groups of eight with the last of them.
   size_t count_ = 0;

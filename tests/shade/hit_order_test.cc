@@ -35,7 +35,7 @@ TEST(HitOrder, HoldsEachHitOnce) {
     std::vector<Vector> points;
     for (size_t i = 0; i < count; ++i) points.push_back({between(), 5 * between(), between()});
     const auto order = std::make_unique<HitOrder>();
-    order->Set(HitsAt(points));
+    order->Set(HitsAt(points), true);
     ExpectPermutation(*order, count);
   }
 }
@@ -48,8 +48,16 @@ TEST(HitOrder, BearsPointsThatAreTheSameOrNoNumbers) {
     for (const double y : odd) points.push_back({x, y, 1});
   }
   const auto order = std::make_unique<HitOrder>();
-  order->Set(HitsAt(points));
+  order->Set(HitsAt(points), true);
   ExpectPermutation(*order, points.size());
+}
+
+TEST(HitOrder, LeavesHitsAsTheyComeWhereItIsTold) {
+  const auto order = std::make_unique<HitOrder>();
+  std::vector<Vector> points;
+  for (int i = 0; i < 100; ++i) points.push_back({i % 7 * 1.0, i % 3 * 1.0, 0});
+  order->Set(HitsAt(points), false);
+  for (size_t i = 0; i < points.size(); ++i) EXPECT_EQ(order->hit(i), i);
 }
 
 // Two walls that alternate in the picture: a group with hits on both makes a wide pyramid.
@@ -59,7 +67,7 @@ TEST(HitOrder, KeepsWhatLiesApartOutOfOneGroup) {
     for (int x = 0; x < 32; ++x) points.push_back({0.1 * x, 0.1 * y, x % 3 == 0 ? 10.0 : 0.0});
   }
   const auto order = std::make_unique<HitOrder>();
-  order->Set(HitsAt(points));
+  order->Set(HitsAt(points), true);
   int mixed = 0;
   for (size_t row = 0; row < points.size(); row += 8) {
     std::set<double> walls;
