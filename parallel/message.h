@@ -407,8 +407,8 @@ struct Statistics {
   OpCounts counts;
   double busy_seconds = 0;
   double trace_busy_seconds = 0;  // of these, after the objects were stored
-  uint64_t peak_bytes = 0;      // of the whole process, as the operating system counts
-  uint64_t bytes_held_max = 0;  // of objects, cache and rays in work
+  uint64_t peak_bytes = 0;        // of the whole process, as the operating system counts
+  uint64_t bytes_held_max = 0;    // of objects, cache and rays in work
   uint64_t objects = 0;
   uint64_t object_bytes = 0;
   uint64_t cache_hits = 0, cache_misses = 0;
