@@ -1,5 +1,4 @@
 // prayshade-trace: one trace process; prayshade starts it.
-#include <malloc.h>
 #include <pvm3.h>
 #include <unistd.h>
 
@@ -14,7 +13,6 @@ namespace rayshade::parallel {
 namespace {
 
 int TraceMain() {
-  mallopt(M_TRIM_THRESHOLD, 4 << 20);  // packs come and go: their pages need not
   pvm_setopt(PvmAutoErr, 0);
   // Started by hand there is no virtual machine to look for.
   const int host = std::getenv("PVMSOCK") ? pvm_parent() : PvmNoParent;
