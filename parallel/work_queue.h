@@ -25,7 +25,7 @@ inline bool AsksForWork(Schedule schedule) { return schedule != Schedule::kDataP
 inline constexpr size_t kRaysPerStep = 512;
 // So many are worth a step of their own: fewer are traced badly, but what waits for their results
 // would leave the processor's cache.
-inline constexpr size_t kRaysWorthAStep = 128;
+inline constexpr size_t kRaysWorthAStep = 64;
 // Requests for primary rays that may be unanswered at once.
 inline constexpr int kRequestsAhead = 3;
 // Requests for cells that may be unanswered at once.
