@@ -37,7 +37,6 @@ void ApplyQuality(Quality quality, Settings* s) {
     case Quality::kFine:
       Sample(4, .05, s);
       s->area_cells = 16;
-      s->light_cutoff = 1. / 512;
       return;
     case Quality::kReference:
       Sample(8, 0, s);
