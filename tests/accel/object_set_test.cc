@@ -8,156 +8,27 @@
 #include <cmath>
 #include <cstdlib>
 #include <memory>
-#include <random>
 #include <string>
 #include <vector>
 
-#include "rayshade/geom/make_geom.h"
+#include "tests/accel/world.h"
+#include "tests/support/kernels.h"
+#include "tests/support/random.h"
 
 namespace rayshade {
 namespace {
 
+using test::AddFlat;
+using test::AddSpheres;
+using test::kAllKernels;
+using test::MakeRay;
+using test::Random;
+using test::RandomDirection;
+using test::RandomPoint;
+using test::Uniform;
+using test::World;
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-// Objects in a set and in a list.
-class World {
- public:
-  World() {
-    SceneSpec spec;
-    spec.surfaces.resize(2);
-    spec.surfaces[1].transp = 0.5;
-    const auto place = [&](SurfaceId surface, std::optional<Transform> transform) {
-      Placement placement;
-      placement.levels.resize(1);
-      placement.levels[0].attributes.surface = surface;
-      if (transform) placement.levels[0].attributes.transforms.Append(*transform);
-      placement.Finish();
-      spec.placements.push_back(placement);
-    };
-    place(0, std::nullopt);
-    place(1, std::nullopt);
-    place(0, Compose(*Scale({2, 0.5, 1}), Translate({0.25, 0, 0})));
-    scene_ = std::make_unique<Scene>(std::move(spec), 0);
-  }
-
-  void Add(const GeomSpec& spec, PlacementId placement = 0) {
-    if (CheckGeom(spec) && CheckGeom(spec)->dropped) return;
-    list_.push_back({spec, MakeGeom(spec), placement});
-  }
-
-  // Adds them to the set in another order.
-  void Build(const char* simd) {
-    setenv("RAYSHADE_SIMD", simd, 1);
-    set_ = std::make_unique<ObjectSet>(scene_.get());
-    for (size_t i = list_.size(); i-- > 0;) {
-      set_->Add(list_[i].spec, list_[i].placement, static_cast<Rank>(i));
-    }
-    set_->Build();
-    unsetenv("RAYSHADE_SIMD");
-  }
-
-  Hit NearestInList(const Ray& ray, Hit best) const {
-    for (size_t i = 0; i < list_.size(); ++i) {
-      double distance;
-      if (!Meet(i, ray, kFar, &distance)) continue;
-      const Hit hit{distance, static_cast<Rank>(i), 0, nullptr};
-      if (hit.nearer_than(best)) best = hit;
-    }
-    return best;
-  }
-
-  bool BlockedInList(const Ray& ray, double limit) const {
-    for (size_t i = 0; i < list_.size(); ++i) {
-      double distance;
-      if (list_[i].placement != 1 && Meet(i, ray, limit, &distance)) return true;
-    }
-    return false;
-  }
-
-  const ObjectSet& set() const { return *set_; }
-  const Scene& scene() const { return *scene_; }
-  size_t size() const { return list_.size(); }
-  Bounds BoxOf(size_t i) const {
-    return WorldBounds(scene_->placement(list_[i].placement), list_[i].geom->bounds(), {});
-  }
-  bool bounded(size_t i) const { return list_[i].geom->bounded(); }
-
- private:
-  struct Listed {
-    GeomSpec spec;
-    std::unique_ptr<const Geom> geom;
-    PlacementId placement;
-  };
-
-  bool Meet(size_t i, const Ray& ray, double limit, double* distance) const {
-    ObjectRay local{ray.origin, ray.direction, {}};
-    double scale = 1;
-    const Placement& placement = scene_->placement(list_[i].placement);
-    if (!ToObject(placement, {ray.origin, ray.direction, {}}, ray.min_distance, kFar, &local,
-                  &scale)) {
-      return false;
-    }
-    if (!list_[i].geom->Intersect(local, ray.min_distance * scale, limit * scale, distance)) {
-      return false;
-    }
-    *distance /= scale;
-    // The rule about the object's box (trace_view.h), for all that is not sure to lie in it.
-    const GeomSpec& spec = list_[i].spec;
-    const bool flat = placement.in_place && (std::holds_alternative<SphereSpec>(spec) ||
-                                             std::holds_alternative<TriangleSpec>(spec));
-    const bool unit = std::abs(Dot(ray.direction, ray.direction) - 1) < 1e-9;
-    if (!list_[i].geom->bounded() || (flat && unit && *distance <= 1e6)) return true;
-    return MeetsBox(BoxOf(i), ray, *distance);
-  }
-
-  static bool MeetsBox(const Bounds& box, const Ray& ray, double distance) {
-    double near = ray.min_distance, far = kInfinity;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double o = ray.origin[axis], d = ray.direction[axis];
-      if (d == 0) {
-        if (o < box.low[axis] || o > box.high[axis]) return false;
-        continue;
-      }
-      const double a = (box.low[axis] - o) / d, b = (box.high[axis] - o) / d;
-      near = std::max(near, std::min(a, b));
-      far = std::min(far, std::max(a, b));
-    }
-    return near <= far && distance >= near * (1 - 1e-7);
-  }
-
-  std::unique_ptr<Scene> scene_;
-  std::vector<Listed> list_;
-  std::unique_ptr<ObjectSet> set_;
-};
-
-const char* const kAllKernels[] = {"plain", "avx2", "avx512"};
-
-class Random {
- public:
-  double Between(double low, double high) {
-    return low + (high - low) * (static_cast<double>(bits_() >> 11) * 0x1.0p-53);
-  }
-  Vector Point(double size) {
-    const double x = Between(-size, size), y = Between(-size, size);
-    return {x, y, Between(-size, size)};
-  }
-  Vector Direction() {
-    Vector v = Point(1);
-    while (Dot(v, v) > 1 || Dot(v, v) < 1e-3) v = Point(1);
-    return Normalized(v);
-  }
-  size_t Below(size_t end) { return bits_() % end; }
-
- private:
-  std::mt19937_64 bits_{7};
-};
-
-Ray MakeRay(const Vector& origin, const Vector& direction) {
-  Ray ray;
-  ray.origin = origin;
-  ray.direction = direction;
-  return ray;
-}
 
 // Everything that a set answers about these rays, on all kernels, against the list.
 void Compare(World* world, const std::vector<Ray>& rays, size_t* found = nullptr) {
@@ -199,30 +70,10 @@ void Compare(World* world, const std::vector<Ray>& rays, size_t* found = nullptr
   }
 }
 
-void AddSpheres(World* world, Random* random, int count, double size, const Vector& at = {}) {
-  for (int i = 0; i < count; ++i) {
-    world->Add(SphereSpec{random->Between(0.001, 0.1) * size, at + random->Point(size)},
-               static_cast<PlacementId>(random->Below(2)));
-  }
-}
-
-void AddFlat(World* world, Random* random, int count, double size, const Vector& at = {}) {
-  for (int i = 0; i < count; ++i) {
-    const Vector a = at + random->Point(size);
-    const Vector b = a + random->Point(size / 4), c = a + random->Point(size / 4);
-    const PlacementId placement = static_cast<PlacementId>(random->Below(3));
-    if (i % 2 == 0) {
-      world->Add(TriangleSpec{{a, b, c}}, placement);
-    } else {
-      world->Add(PolygonSpec{{a, b, b + 0.5 * (c - a), c}}, placement);
-    }
-  }
-}
-
 std::vector<Ray> RandomRays(Random* random, int count, double size, const Vector& at = {}) {
   std::vector<Ray> rays;
   for (int i = 0; i < count; ++i) {
-    rays.push_back(MakeRay(at + random->Point(size * 1.5), random->Direction()));
+    rays.push_back(MakeRay(at + RandomPoint(random, size * 1.5), RandomDirection(random)));
   }
   return rays;
 }
@@ -242,7 +93,7 @@ std::vector<Ray> CameraRays(const Vector& eye, const Vector& at, int side) {
 }
 
 TEST(ObjectSet, FindsWhatAListOfAllSpheresFinds) {
-  Random random;
+  Random random(7);
   World world;
   AddSpheres(&world, &random, 700, 10);
   size_t found = 0;
@@ -251,17 +102,17 @@ TEST(ObjectSet, FindsWhatAListOfAllSpheresFinds) {
 }
 
 TEST(ObjectSet, FindsWhatAListOfAllKindsFinds) {
-  Random random;
+  Random random(7);
   World world;
   AddSpheres(&world, &random, 100, 10);
   AddFlat(&world, &random, 300, 10);
   for (int i = 0; i < 50; ++i) {
-    const Vector p = random.Point(10);
-    const PlacementId placement = static_cast<PlacementId>(random.Below(3));
-    world.Add(BoxSpec{p, p + random.Point(1)}, placement);
-    world.Add(DiscSpec{0.5, p, random.Direction()}, placement);
-    world.Add(CylinderSpec{0.25, p, p + random.Point(2)}, placement);
-    world.Add(SphereSpec{0.5, p + random.Point(1)}, 2);
+    const Vector p = RandomPoint(&random, 10);
+    const PlacementId placement = static_cast<PlacementId>(random() % 3);
+    world.Add(BoxSpec{p, p + RandomPoint(&random, 1)}, placement);
+    world.Add(DiscSpec{0.5, p, RandomDirection(&random)}, placement);
+    world.Add(CylinderSpec{0.25, p, p + RandomPoint(&random, 2)}, placement);
+    world.Add(SphereSpec{0.5, p + RandomPoint(&random, 1)}, 2);
   }
   world.Add(PlaneSpec{{0, 0, -9}, {0.1, 0, 1}}, 0);
   size_t found = 0;
@@ -270,7 +121,7 @@ TEST(ObjectSet, FindsWhatAListOfAllKindsFinds) {
 }
 
 TEST(ObjectSet, CameraRaysInBundlesFindWhatSingleRaysFind) {
-  Random random;
+  Random random(7);
   World world;
   AddSpheres(&world, &random, 500, 10);
   AddFlat(&world, &random, 100, 10);
@@ -279,7 +130,7 @@ TEST(ObjectSet, CameraRaysInBundlesFindWhatSingleRaysFind) {
 }
 
 TEST(ObjectSet, RaysTowardsALightInBundles) {
-  Random random;
+  Random random(7);
   World world;
   AddSpheres(&world, &random, 400, 10);
   AddFlat(&world, &random, 100, 10);
@@ -318,7 +169,7 @@ struct Rows {
 // Hits anywhere, also at the light itself, lit from one position: directions as Normalize gives
 // them, and the answer of a list of all objects for each.
 TEST(ObjectSet, RowsOfShadowRaysTowardsOnePosition) {
-  Random random;
+  Random random(7);
   World world;
   AddSpheres(&world, &random, 200, 10);
   AddFlat(&world, &random, 300, 10);
@@ -330,9 +181,9 @@ TEST(ObjectSet, RowsOfShadowRaysTowardsOnePosition) {
     double reach = 100;
     for (size_t i = 0; i < count; ++i) {
       const double x = static_cast<double>(i % 24) / 6, y = static_cast<double>(i / 24) / 6;
-      Vector p = coherent ? Vector{-9 + x, 5 + y, -8} : random.Point(12);
-      if (i % 100 == 99) p = light + 1e-6 * random.Direction();
-      const Vector n = random.Direction();
+      Vector p = coherent ? Vector{-9 + x, 5 + y, -8} : RandomPoint(&random, 12);
+      if (i % 100 == 99) p = light + 1e-6 * RandomDirection(&random);
+      const Vector n = RandomDirection(&random);
       points.push_back(p);
       for (int k = 0; k < 3; ++k) {
         rows.point[k][i] = p[k];
@@ -423,7 +274,7 @@ TEST(ObjectSet, NoHitIsLostAlongFacesEdgesAndCorners) {
 }
 
 TEST(ObjectSet, CoincidentObjectsAreDecidedByRank) {
-  Random random;
+  Random random(7);
   World world;
   for (int copy = 0; copy < 12; ++copy) {
     for (int i = 0; i < 20; ++i) {
@@ -440,7 +291,7 @@ TEST(ObjectSet, CoincidentObjectsAreDecidedByRank) {
 
 TEST(ObjectSet, AMillionUnitsAwayAndBeyond) {
   for (const double offset : {1e6, 1e9, 1e12}) {
-    Random random;
+    Random random(7);
     World world;
     const Vector at{offset, -offset, offset};
     AddSpheres(&world, &random, 200, offset * 1e-5, at);
@@ -451,7 +302,7 @@ TEST(ObjectSet, AMillionUnitsAwayAndBeyond) {
 }
 
 TEST(ObjectSet, FarOriginsAndHugeObjects) {
-  Random random;
+  Random random(7);
   World world;
   AddSpheres(&world, &random, 300, 10);
   AddFlat(&world, &random, 60, 10);
@@ -459,8 +310,8 @@ TEST(ObjectSet, FarOriginsAndHugeObjects) {
   std::vector<Ray> rays;
   for (const double far : {1e3, 1e5, 1e7, 1e9, 1e11}) {
     for (int i = 0; i < 150; ++i) {
-      const Vector origin = far * random.Direction();
-      rays.push_back(MakeRay(origin, Normalized(random.Point(10) - origin)));
+      const Vector origin = far * RandomDirection(&random);
+      rays.push_back(MakeRay(origin, Normalized(RandomPoint(&random, 10) - origin)));
     }
   }
   const std::vector<Ray> near = RandomRays(&random, 300, 10);
@@ -471,20 +322,20 @@ TEST(ObjectSet, FarOriginsAndHugeObjects) {
 }
 
 TEST(ObjectSet, RaysOfAnyLengthAndMinimum) {
-  Random random;
+  Random random(7);
   World world;
   AddSpheres(&world, &random, 300, 10);
   AddFlat(&world, &random, 60, 10);
   std::vector<Ray> rays = RandomRays(&random, 600, 10);
   for (size_t i = 0; i < rays.size(); ++i) {
-    rays[i].min_distance = std::abs(random.Between(-5, 5));
-    if (i % 4 == 0) rays[i].direction = random.Between(0.3, 3) * rays[i].direction;
+    rays[i].min_distance = std::abs(Uniform(&random, -5, 5));
+    if (i % 4 == 0) rays[i].direction = Uniform(&random, 0.3, 3) * rays[i].direction;
   }
   Compare(&world, rays);
 }
 
 TEST(ObjectSet, EarlierHitsAndLimitsArePutToTheTest) {
-  Random random;
+  Random random(7);
   World world;
   AddSpheres(&world, &random, 300, 10);
   AddFlat(&world, &random, 100, 10);
@@ -512,127 +363,6 @@ TEST(ObjectSet, EarlierHitsAndLimitsArePutToTheTest) {
       ASSERT_EQ(hits[i].set, improved ? &world.set() : nullptr) << simd << " ray " << i;
     }
   }
-}
-
-TEST(ObjectSet, ForEachInVisitsWhatOverlapsABox) {
-  Random random;
-  World world;
-  AddSpheres(&world, &random, 500, 10);
-  AddFlat(&world, &random, 200, 10);
-  world.Add(PlaneSpec{{0, 0, 0}, {0, 0, 1}});
-  world.Build("plain");
-  for (int i = 0; i < 200; ++i) {
-    const Vector p = random.Point(10);
-    Bounds box{p, p};
-    box.Include(p + random.Point(i % 4 == 0 ? 0 : 2));
-    if (i % 5 == 0) box.Include(world.BoxOf(random.Below(500)).high);
-    std::vector<bool> visited(world.size());
-    world.set().ForEachIn(box, [&](uint32_t object) {
-      const Rank rank = world.set().entry(object).rank;
-      EXPECT_FALSE(visited[rank]);
-      visited[rank] = true;
-    });
-    for (size_t k = 0; k < world.size(); ++k) {
-      EXPECT_EQ(visited[k], world.bounded(k) && world.BoxOf(k).Overlaps(box)) << k;
-    }
-  }
-}
-
-TEST(ObjectSet, GivesBackWhatWasAdded) {
-  World world;
-  Random random;
-  AddSpheres(&world, &random, 100, 10);
-  AddFlat(&world, &random, 20, 10);
-  world.Add(BoxSpec{{0, 0, 0}, {1, 2, 3}}, 2);
-  world.Build("plain");
-  std::vector<bool> seen(world.size());
-  for (uint32_t i = 0; i < world.set().size(); ++i) {
-    const ObjectSet::Entry entry = world.set().entry(i);
-    ASSERT_LT(entry.rank, world.size());
-    EXPECT_FALSE(seen[entry.rank]);
-    seen[entry.rank] = true;
-    EXPECT_EQ(entry.placement, world.set().placement_of(i));
-    const Bounds box = BoundsOf(entry.spec),
-                 own = WorldBounds(world.scene().placement(entry.placement), box, {});
-    EXPECT_EQ(own, world.BoxOf(entry.rank)) << i;
-  }
-  EXPECT_EQ(world.set().size(), world.size());
-}
-
-TEST(ObjectSet, DuplicatesAreHeldOnceAndResolvedObjectsStandWhereTheyWerePut) {
-  World world;
-  world.Build("plain");
-  ObjectSet set(&world.scene());
-  for (int copy = 0; copy < 3; ++copy) {
-    for (Rank i = 0; i < 50; ++i) set.Add(SphereSpec{0.25, {i * 1.0, 0, 0}}, 0, i);
-    set.Add(BoxSpec{{0, 5, 0}, {1, 6, 1}}, 0, 50);
-  }
-  // Ranks from the other end; the last sphere moves by its new placement to x = 2 * 49 + 0.25.
-  set.ResolveAll([](PlacementId placement, Rank rank) {
-    return std::pair<PlacementId, Rank>(rank == 49 ? 2 : placement, 100 - rank);
-  });
-  set.Build();
-  EXPECT_EQ(set.size(), 51u);
-  const std::vector<Ray> rays = {MakeRay({3, 0, 9}, {0, 0, -1}), MakeRay({98.25, 0, 9}, {0, 0, -1}),
-                                 MakeRay({49, 0, 9}, {0, 0, -1})};
-  std::vector<Hit> hits(3);
-  OpCounts counts;
-  set.Nearest(rays, hits, &counts);
-  EXPECT_EQ(hits[0].rank, 97u);
-  EXPECT_EQ(hits[1].rank, 51u);
-  EXPECT_FALSE(hits[2].found());
-  EXPECT_EQ(set.placement_of(hits[1].object), 2u);
-}
-
-TEST(ObjectSet, DescribesHitsInTheSpaceOfTheirPrimitive) {
-  World world;
-  world.Add(SphereSpec{2, {0, 0, 0}}, 0);
-  world.Add(SphereSpec{1, {10, 0, 0}}, 2);  // an ellipsoid at x = 20.25 of half axes 2, .5, 1
-  world.Add(TriangleSpec{{{-5, -1, 0}, {-3, -1, 0}, {-4, 1, 0}}}, 0);
-  world.Build("plain");
-  const std::vector<Ray> rays = {MakeRay({0, 0, 9}, {0, 0, -1}), MakeRay({20.25, 9, 0}, {0, -1, 0}),
-                                 MakeRay({-4, 0, 9}, {0, 0, -1})};
-  std::vector<Hit> hits(3);
-  OpCounts counts;
-  world.set().Nearest(rays, hits, &counts);
-  HitPath path;
-  ASSERT_TRUE(hits[0].found());
-  world.set().Describe(rays[0], hits[0], &path);
-  EXPECT_EQ(path.point, (Vector{0, 0, 2}));
-  EXPECT_EQ(path.normal, (Vector{0, 0, 1}));
-  ASSERT_TRUE(hits[1].found());
-  world.set().Describe(rays[1], hits[1], &path);
-  EXPECT_DOUBLE_EQ(path.point.y, 1);
-  EXPECT_DOUBLE_EQ(path.normal.y, 1);
-  ASSERT_TRUE(hits[2].found());
-  world.set().Describe(rays[2], hits[2], &path);
-  EXPECT_EQ(path.normal, (Vector{0, 0, 1}));
-}
-
-TEST(ObjectSet, AnEmptySetIsMissedByAllRays) {
-  World world;
-  world.Build("plain");
-  const std::vector<Ray> rays(3, MakeRay({0, 0, 0}, {1, 0, 0}));
-  std::vector<Hit> hits(3);
-  OpCounts counts;
-  world.set().Nearest(rays, hits, &counts);
-  for (const Hit& hit : hits) EXPECT_FALSE(hit.found());
-  EXPECT_EQ(world.set().size(), 0u);
-  EXPECT_TRUE(world.set().bounds().empty());
-}
-
-TEST(ObjectSet, ASphereTakesFewBytes) {
-  World world;
-  Random random;
-  world.Build("plain");
-  ObjectSet set(&world.scene());
-  constexpr int kSpheres = 50000;
-  for (int i = 0; i < kSpheres; ++i) {
-    set.Add(SphereSpec{random.Between(0.001, 0.01), random.Point(1)}, 0, static_cast<Rank>(i));
-  }
-  set.Build();
-  EXPECT_LE(set.bytes(), kSpheres * size_t{64});
-  EXPECT_GE(set.bytes(), kSpheres * size_t{40});
 }
 
 }  // namespace

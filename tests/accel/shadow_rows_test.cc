@@ -7,32 +7,20 @@
 #include <cmath>
 #include <cstdlib>
 #include <memory>
-#include <random>
 #include <variant>
 #include <vector>
 
 #include "rayshade/accel/object_set.h"
+#include "tests/support/kernels.h"
+#include "tests/support/random.h"
 
 namespace rayshade {
 namespace {
 
-const char* const kAllKernels[] = {"plain", "avx2", "avx512"};
-
-class Random {
- public:
-  explicit Random(uint64_t seed) : bits_(seed) {}
-  double Between(double low, double high) {
-    return low + (high - low) * (static_cast<double>(bits_() >> 11) * 0x1.0p-53);
-  }
-  Vector Point(double size) {
-    const double x = Between(-size, size), y = Between(-size, size);
-    return {x, y, Between(-size, size)};
-  }
-  size_t Below(size_t end) { return bits_() % end; }
-
- private:
-  std::mt19937_64 bits_;
-};
+using test::kAllKernels;
+using test::Random;
+using test::RandomPoint;
+using test::Uniform;
 
 struct Room {
   std::vector<GeomSpec> specs;
@@ -42,14 +30,14 @@ struct Room {
 
 // A star with points off its plane by up to `off`: concave, with 2 * tips points.
 void AddStar(Random* random, int tips, double off, Room* room) {
-  const Vector at = room->center + random->Point(4), a = random->Point(1);
-  const Vector x = Normalized(a), y = Normalized(Cross(x, random->Point(1)));
+  const Vector at = room->center + RandomPoint(random, 4), a = RandomPoint(random, 1);
+  const Vector x = Normalized(a), y = Normalized(Cross(x, RandomPoint(random, 1)));
   const Vector n = Cross(x, y);
   PolygonSpec star;
   for (int i = 0; i < 2 * tips; ++i) {
     const double angle = 3.141592653589793 * i / tips, radius = i % 2 == 0 ? 1.5 : 0.4;
     star.points.push_back(at + radius * std::cos(angle) * x + radius * std::sin(angle) * y +
-                          random->Between(-off, off) * n);
+                          Uniform(random, -off, off) * n);
   }
   for (size_t i = 0; i < star.points.size(); ++i) {
     room->marks.push_back(star.points[i]);
@@ -60,13 +48,14 @@ void AddStar(Random* random, int tips, double off, Room* room) {
 }
 
 void AddFlat(Random* random, double off, Room* room) {
-  const Vector a = room->center + random->Point(4), b = random->Point(1.5), c = random->Point(1.5);
+  const Vector a = room->center + RandomPoint(random, 4), b = RandomPoint(random, 1.5),
+               c = RandomPoint(random, 1.5);
   const Vector n = Normalized(Cross(b, c));
-  if (random->Below(2) == 0) {
+  if ((*random)() % 2 == 0) {
     room->specs.push_back(TriangleSpec{{a, a + b, a + c}});
   } else {
     room->specs.push_back(
-        PolygonSpec{{a, a + b, a + b + c + random->Between(-off, off) * n, a + c}});
+        PolygonSpec{{a, a + b, a + b + c + Uniform(random, -off, off) * n, a + c}});
   }
   for (const Vector& p : {a, a + b, a + c, a + 0.5 * b, a + 0.5 * c, a + 0.3 * b + 0.3 * c}) {
     room->marks.push_back(p);
@@ -79,10 +68,11 @@ Room MakeRoom(Random* random, const Vector& center, double off) {
   for (int i = 0; i < 60; ++i) AddFlat(random, off, &room);
   for (int tips : {2, 3, 5, 12, 19, 25}) AddStar(random, tips, off, &room);
   for (int i = 0; i < 12; ++i) {
-    const Vector base = center + random->Point(4);
-    room.specs.push_back(ConeSpec{0.5, base, 0.2, base + random->Point(1)});
-    room.specs.push_back(CylinderSpec{0.2, base + random->Point(1), base + random->Point(2)});
-    room.specs.push_back(SphereSpec{random->Between(0.05, 0.4), center + random->Point(4)});
+    const Vector base = center + RandomPoint(random, 4);
+    room.specs.push_back(ConeSpec{0.5, base, 0.2, base + RandomPoint(random, 1)});
+    room.specs.push_back(
+        CylinderSpec{0.2, base + RandomPoint(random, 1), base + RandomPoint(random, 2)});
+    room.specs.push_back(SphereSpec{Uniform(random, 0.05, 0.4), center + RandomPoint(random, 4)});
   }
   return room;
 }
@@ -92,9 +82,10 @@ Room MakeBalls(Random* random, const Vector& center) {
   Room room;
   room.center = center;
   for (int i = 0; i < 120; ++i) {
-    const SphereSpec ball{random->Between(0.05, i % 10 == 0 ? 2 : 0.6), center + random->Point(4)};
+    const SphereSpec ball{Uniform(random, 0.05, i % 10 == 0 ? 2 : 0.6),
+                          center + RandomPoint(random, 4)};
     room.specs.push_back(ball);
-    room.marks.push_back(ball.center + ball.radius * Normalized(random->Point(1)));
+    room.marks.push_back(ball.center + ball.radius * Normalized(RandomPoint(random, 1)));
   }
   return room;
 }
@@ -106,8 +97,8 @@ void MarkRims(Random* random, const Vector& light, Room* room) {
     const Vector to = ball.center - light;
     const double size = ball.radius / Length(to);
     if (size > 0.9) continue;
-    const Vector aside = Normalized(Cross(to, random->Point(1)));
-    const double off = std::pow(10, -random->Between(1, 12)) * (static_cast<double>(i % 3) - 1);
+    const Vector aside = Normalized(Cross(to, RandomPoint(random, 1)));
+    const double off = std::pow(10, -Uniform(random, 1, 12)) * (static_cast<double>(i % 3) - 1);
     room->marks[i] = ball.center + ball.radius / std::sqrt(1 - size * size) * (1 + off) * aside;
   }
 }
@@ -116,9 +107,9 @@ void MarkRims(Random* random, const Vector& light, Room* room) {
 // seen from the light, or anywhere.
 std::vector<Vector> Starts(Random* random, const Room& room, const Vector& light, int how) {
   std::vector<Vector> starts;
-  const Vector place = room.center + random->Point(5);
+  const Vector place = room.center + RandomPoint(random, 5);
   for (int i = 0; i < 192; ++i) {
-    const Vector& mark = room.marks[random->Below(room.marks.size())];
+    const Vector& mark = room.marks[(*random)() % (room.marks.size())];
     const double x = 0.02 * (i % 16), y = 0.02 * (i / 16);
     switch (how) {
       case 0:
@@ -128,10 +119,10 @@ std::vector<Vector> Starts(Random* random, const Room& room, const Vector& light
         starts.push_back({room.center.x - 4 + 20 * x, room.center.y + 20 * y, light.z - 1e-3});
         break;
       case 2:
-        starts.push_back(light + random->Between(1, 2) * (mark - light));
+        starts.push_back(light + Uniform(random, 1, 2) * (mark - light));
         break;
       default:
-        starts.push_back(i % 3 == 0 ? mark : room.center + random->Point(6));
+        starts.push_back(i % 3 == 0 ? mark : room.center + RandomPoint(random, 6));
     }
   }
   return starts;
@@ -211,7 +202,7 @@ void Compare(uint64_t seed, const Vector& center, double off,
   const double reach = 20 + SumOfSizes(center);
   for (int how = 0; how < 8; ++how) {
     const Vector light =
-        how < 4 ? center + random.Point(5) : room.marks[how * 7] + Vector{0, 0, off};
+        how < 4 ? center + RandomPoint(&random, 5) : room.marks[how * 7] + Vector{0, 0, off};
     if (balls) MarkRims(&random, light, &room);
     Rows rows(Starts(&random, room, light, how % 4));
     std::vector<int> expected;
@@ -272,16 +263,16 @@ TEST(LightRows, DoWhatTheyDoForOneHitAtATime) {
   double toward[3][kRoom], face[3][kRoom], cosine[kRoom], slack[kRoom], diffuse[3][kRoom];
   double before[3][kRoom];
   for (uint32_t i = 0; i < kRoom; ++i) {
-    const Vector t = Normalized(random.Point(1)), f = Normalized(random.Point(1));
-    cosine[i] = i % 7 == 0 ? 0 : random.Between(-1, 1);
+    const Vector t = Normalized(RandomPoint(&random, 1)), f = Normalized(RandomPoint(&random, 1));
+    cosine[i] = i % 7 == 0 ? 0 : Uniform(&random, -1, 1);
     slack[i] = i % 5 == 0   ? std::numeric_limits<double>::infinity()
                : i % 5 == 1 ? kShadowEpsilon * std::abs(Dot(t, f))
-                            : random.Between(0, 2 * kShadowEpsilon);
+                            : Uniform(&random, 0, 2 * kShadowEpsilon);
     for (int k = 0; k < 3; ++k) {
       toward[k][i] = t[k];
       face[k][i] = f[k];
-      diffuse[k][i] = random.Between(0, 1);
-      before[k][i] = random.Between(0, 1);
+      diffuse[k][i] = Uniform(&random, 0, 1);
+      before[k][i] = Uniform(&random, 0, 1);
     }
   }
   const Color arrived{0.9, 0.7, 1.0 / 3};

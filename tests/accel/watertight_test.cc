@@ -14,15 +14,16 @@
 #include <vector>
 
 #include "rayshade/accel/object_set.h"
+#include "tests/support/kernels.h"
 #include "tests/support/random.h"
 
 namespace rayshade {
 namespace {
 
-constexpr const char* kAllKernels[] = {"plain", "avx2", "avx512"};
 constexpr double kFarthest = 1e8;  // of the origins, in sizes of the mesh
 constexpr int kRaysPerDistance = 200;
 
+using test::kAllKernels;
 using test::Random;
 using test::RandomDirection;
 using test::Uniform;

@@ -7,30 +7,22 @@
 #include <cmath>
 #include <cstdlib>
 #include <memory>
-#include <random>
 
 #include "tests/shade/text_scene.h"
+#include "tests/support/kernels.h"
+#include "tests/support/random.h"
 
 namespace rayshade {
 namespace {
 
-class Random {
- public:
-  double Between(double low, double high) {
-    return low + (high - low) * (static_cast<double>(bits_() >> 11) * 0x1.0p-53);
-  }
-  Vector Direction() {
-    Vector v;
-    do {
-      for (int k = 0; k < 3; ++k) v[k] = Between(-1, 1);
-    } while (Dot(v, v) > 1 || Dot(v, v) < 0.01);
-    return Normalized(v);
-  }
-  Color Shade(double most) { return {Between(0, most), Between(0, most), Between(0, most)}; }
+using test::Random;
+using test::RandomDirection;
+using test::Uniform;
 
- private:
-  std::mt19937_64 bits_{7};
-};
+Color RandomColor(Random* random, double most) {
+  const double r = Uniform(random, 0, most), g = Uniform(random, 0, most);
+  return {r, g, Uniform(random, 0, most)};
+}
 
 constexpr size_t kCount = 500;
 struct Hits {
@@ -47,16 +39,16 @@ Hits MakeHits(Random* random, const Vector& light) {
   for (size_t i = 0; i < kCount; ++i) {
     Surface& material = hits.materials[i];
     material.specpow = powers[i % std::size(powers)];
-    material.diffuse = random->Shade(i % 5 == 0 ? 1e-9 : 1);
+    material.diffuse = RandomColor(random, i % 5 == 0 ? 1e-9 : 1);
     material.diffuse.r += 1e-12;
-    if (i % 4 != 0) material.specular = random->Shade(i % 3 == 0 ? 1e6 : 1);
+    if (i % 4 != 0) material.specular = RandomColor(random, i % 3 == 0 ? 1e6 : 1);
     SurfaceHit& hit = hits.surfaces[i];
     hit = {};
-    hit.point = 3 * random->Direction();
-    hit.normal = hit.face = random->Direction();
+    hit.point = 3 * RandomDirection(random);
+    hit.normal = hit.face = RandomDirection(random);
     hit.bound = &material;
     const Vector toward = Normalized(light - hit.point), across = Cross(toward, hit.normal);
-    const double angle = std::sqrt(2 * std::min(1.0, random->Between(0, 90) / material.specpow));
+    const double angle = std::sqrt(2 * std::min(1.0, Uniform(random, 0, 90) / material.specpow));
     const double cosine = i % 7 == 0 ? 1 : std::cos(i % 2 == 0 ? angle : 2 * angle);
     hit.mirror = cosine * toward + std::sqrt(1 - cosine * cosine) * Normalized(across);
     hits.owners.push_back(static_cast<uint32_t>(i));
@@ -75,7 +67,7 @@ void Compare(const char* simd, Random* random) {
   const Hits hits = MakeHits(random, at);
   OpCounts counts;
   std::vector<Color> sums;
-  for (size_t i = 0; i < kCount; ++i) sums.push_back(random->Shade(i % 11 == 0 ? 0 : 0.3));
+  for (size_t i = 0; i < kCount; ++i) sums.push_back(RandomColor(random, i % 11 == 0 ? 0 : 0.3));
   const std::vector<Color> before = sums;
   const auto rows = std::make_unique<HitRows>();
   rows->Set(scene, hits.rays, hits.surfaces, hits.owners, sums);
@@ -97,8 +89,8 @@ void Compare(const char* simd, Random* random) {
 }
 
 TEST(HitRows, AddUpAsAddLightDoes) {
-  for (const char* simd : {"plain", "avx2", "avx512"}) {
-    Random random;
+  for (const char* simd : test::kAllKernels) {
+    Random random(7);
     for (int round = 0; round < 20; ++round) Compare(simd, &random);
   }
 }

@@ -5,9 +5,10 @@
 
 #include <limits>
 #include <memory>
-#include <random>
 #include <set>
 #include <vector>
+
+#include "tests/support/random.h"
 
 namespace rayshade {
 namespace {
@@ -29,11 +30,13 @@ void ExpectPermutation(const HitOrder& order, size_t count) {
 }
 
 TEST(HitOrder, HoldsEachHitOnce) {
-  std::mt19937_64 random(5);
-  const auto between = [&] { return static_cast<double>(random() >> 11) * 0x1.0p-53; };
+  test::Random random(5);
   for (size_t count = 0; count <= HitOrder::kMost; count += count < 70 ? 1 : 17) {
     std::vector<Vector> points;
-    for (size_t i = 0; i < count; ++i) points.push_back({between(), 5 * between(), between()});
+    for (size_t i = 0; i < count; ++i) {
+      const Vector p = test::RandomPoint(&random, 1);
+      points.push_back({p.x, 5 * p.y, p.z});
+    }
     const auto order = std::make_unique<HitOrder>();
     order->Set(HitsAt(points), true);
     ExpectPermutation(*order, count);

@@ -15,6 +15,12 @@ inline double Uniform(Random* random, double low, double high) {
   return low + (high - low) * (static_cast<double>((*random)() >> 11) * 0x1.0p-53);
 }
 
+// In the cube of edge 2 * size around the origin.
+inline Vector RandomPoint(Random* random, double size) {
+  const double x = Uniform(random, -size, size), y = Uniform(random, -size, size);
+  return {x, y, Uniform(random, -size, size)};
+}
+
 // Evenly over the sphere.
 inline Vector RandomDirection(Random* random) {
   const double z = Uniform(random, -1, 1), turn = Uniform(random, 0, 2 * kPi);
