@@ -66,8 +66,9 @@ HostProcess::HostProcess(const RunOptions& options, ObjectSpool* spool, int fram
   sampling_ = std::make_unique<PixelSampling>(settings, *camera_, /*ahead=*/true);
   if (options_.schedule == Schedule::kDataParallel) options_.resident = 0;
   tree_ = BuildTree(options_, spool);
-  if (options_.distribution == Distribution::kBalanced) Balance();
-  PlanMemory();
+  std::optional<std::pair<ProcessId, uint64_t>> fullest;
+  if (options_.distribution == Distribution::kBalanced) fullest = Balance();
+  PlanMemory(fullest);
   const size_t pyramid =
       std::clamp<size_t>(in_flight_limit_ / (2 * options_.processes), 1, options_.pyramid);
   if (options_.schedule == Schedule::kDataParallel) {
@@ -88,16 +89,19 @@ WorkDone HostProcess::work_done() const {
 }
 
 // Every process gets its part of the work; of the bytes, where that would take more than half of a
-// process's memory: caches, rays and the building of the hierarchy need the rest.
-void HostProcess::Balance() {
+// process's memory: caches, rays and the building of the hierarchy need the rest. Returns the
+// fullest process where that had to be found and is so still.
+std::optional<std::pair<ProcessId, uint64_t>> HostProcess::Balance() {
   const PredictedHits hits = PredictHits(*camera_, tree_, spool_);
   ShareOut(WorkByCell(hits.by_cell, tree_), options_.processes, &tree_);
-  if (options_.memory != 0) fullest_ = FullestProcess();
-  if (fullest_ && fullest_->second > options_.memory / 2) {
+  std::optional<std::pair<ProcessId, uint64_t>> fullest;
+  if (options_.memory != 0) fullest = FullestProcess();
+  if (fullest && fullest->second > options_.memory / 2) {
     ShareOut(BytesByCell(tree_), options_.processes, &tree_);
-    fullest_.reset();
+    fullest.reset();
   }
   expected_owners_ = ExpectedOwners(hits, tree_, camera_->window());
+  return fullest;
 }
 
 // The process that needs most memory for its objects and the two largest cells of others, and how
@@ -117,11 +121,11 @@ uint64_t HostProcess::SpareBytes() const {
 
 // Shares the memory of a process out: its own objects come first, the rest goes to resident set,
 // cache and rays.
-void HostProcess::PlanMemory() {
+void HostProcess::PlanMemory(std::optional<std::pair<ProcessId, uint64_t>> fullest) {
   const uint64_t spare = SpareBytes();
   uint64_t for_rays = 0;
   if (options_.memory != 0) {
-    const auto [process, needed] = fullest_ ? *fullest_ : FullestProcess();
+    const auto [process, needed] = fullest ? *fullest : FullestProcess();
     if (needed > options_.memory) {
       const int enough = ProcessesThatWouldDo(options_.memory, spare, spool_);
       throw std::runtime_error("out of memory: trace process " + std::to_string(process) +

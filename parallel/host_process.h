@@ -75,10 +75,10 @@ class HostProcess : public Process {
   void On(ProcessId from, const Text& message, Outbox* outbox);
   void On(ProcessId from, const Failure& message, Outbox* outbox);
 
-  void Balance();
+  std::optional<std::pair<ProcessId, uint64_t>> Balance();
   std::pair<ProcessId, uint64_t> FullestProcess() const;
   uint64_t SpareBytes() const;
-  void PlanMemory();
+  void PlanMemory(std::optional<std::pair<ProcessId, uint64_t>> fullest);
   void SendSetUp(Outbox* outbox);
   bool Distribute(Outbox* outbox);
   bool HandOut(Outbox* outbox);
@@ -93,7 +93,6 @@ class HostProcess : public Process {
   std::unique_ptr<Camera> camera_;
   std::unique_ptr<PixelSampling> sampling_;
   ExpectedOwners expected_owners_;
-  std::optional<std::pair<ProcessId, uint64_t>> fullest_;  // of the subdivision as it is shared out
   std::unique_ptr<class PrimaryFeed> feed_;
   Phase phase_ = Phase::kSetUp;
   std::string failure_;

@@ -2,7 +2,6 @@
 #include "rayshade/render/hit_rows.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -43,18 +42,17 @@ void HitRows::Set(const Scene& scene, std::span<const Ray> rays,
 
 // What is added goes out of the rows.
 void HitRows::AddThroughTransparent(const Light& light, ShadowTracer* shadows, OpCounts* counts) {
-  for (size_t begin = 0; begin < count_; begin += 8) {
-    uint64_t passed = EightOf(crossed_, begin) & ~EightOf(blocked_, begin);
-    for (; passed != 0; passed &= passed - 1) {
-      const size_t row = begin + static_cast<size_t>(std::countr_zero(passed)) / 8;
-      blocked_[row] = 1;
-      const size_t s = order_.hit(row);
-      LightSample sample = Sample(light, 0, s);
-      Ray shadow;
-      MakeShadowRay(rays_[owners_[s]], surfaces_[s], sample.toward, &shadow);
-      if (shadows->Pass(shadow, sample.limit, &sample.color, counts)) Add(s, sample, sample.color);
-    }
-  }
+  const auto passed = [this](size_t row) {
+    return EightOf(crossed_, row) & ~EightOf(blocked_, row);
+  };
+  ForEachRow(passed, [&](size_t row) {
+    blocked_[row] = 1;
+    const size_t s = order_.hit(row);
+    LightSample sample = Sample(light, 0, s);
+    Ray shadow;
+    MakeShadowRay(rays_[owners_[s]], surfaces_[s], sample.toward, &shadow);
+    if (shadows->Pass(shadow, sample.limit, &sample.color, counts)) Add(s, sample, sample.color);
+  });
 }
 
 void HitRows::Illuminate(const Scene& scene, const ObjectSet& objects, const Light& light,
@@ -83,15 +81,13 @@ void HitRows::AddHighlights(const ObjectSet& objects, const Light& light) {
                  std::abs(arrived.r) + std::abs(arrived.g) + std::abs(arrived.b),
                  static_cast<uint32_t>(count_),
                  shines});
-  for (size_t begin = 0; begin < count_; begin += 8) {
-    for (uint64_t left = EightOf(shines, begin); left != 0; left &= left - 1) {
-      const size_t row = begin + static_cast<size_t>(std::countr_zero(left)) / 8;
-      const size_t s = order_.hit(row);
-      if (!HasHighlight(surfaces_[s].surface())) continue;
-      const Color highlight = Highlight(surfaces_[s], Sample(light, 0, s), arrived);
-      for (int c = 0; c < 3; ++c) sum_[c][row] += highlight[c];
-    }
-  }
+  ForEachRow([&](size_t row) { return EightOf(shines, row); },
+             [&](size_t row) {
+               const size_t s = order_.hit(row);
+               if (!HasHighlight(surfaces_[s].surface())) return;
+               const Color highlight = Highlight(surfaces_[s], Sample(light, 0, s), arrived);
+               for (int c = 0; c < 3; ++c) sum_[c][row] += highlight[c];
+             });
 }
 
 void HitRows::Add(size_t s, const LightSample& sample, const Color& arrived) {

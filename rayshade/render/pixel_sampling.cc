@@ -114,11 +114,7 @@ std::vector<Sample> PixelSampling::Next(size_t most) {
 }
 
 void PixelSampling::Put(const Sample& sample, const RayResult& result) {
-  if (impl_->adaptive) {
-    impl_->adaptive->Put(sample, result);
-  } else {
-    impl_->PutOfOne(sample, result);
-  }
+  Put({&sample, 1}, {&result, 1});
 }
 
 void PixelSampling::Put(std::span<const Sample> samples, std::span<const RayResult> results) {

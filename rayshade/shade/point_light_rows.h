@@ -3,6 +3,7 @@
 // each.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <span>
@@ -55,6 +56,16 @@ class PointLightRows {
       std::memcpy(&eight, flags + row, count_ - row);
     }
     return eight;
+  }
+
+  // Calls visit(row) for each row whose flag is set; eight(row): the flags of eight rows.
+  template <class Eight, class Visit>
+  void ForEachRow(Eight eight, Visit visit) const {
+    for (size_t begin = 0; begin < count_; begin += 8) {
+      for (uint64_t left = eight(begin); left != 0; left &= left - 1) {
+        visit(begin + static_cast<size_t>(std::countr_zero(left)) / 8);
+      }
+    }
   }
 
   // Rows are filled up to groups of eight with the last of them.
