@@ -49,6 +49,19 @@ uint64_t BytesBeside(const CellTree& tree, const SceneSpec& scene, Shadows shado
          2 * BytesPerPrimaryRay(scene, shadows);
 }
 
+// Puts what a message says of samples, by bundles: set(item, &sample, &result).
+template <class Item, class Set>
+void PutAll(const std::vector<Item>& items, PixelSampling* sampling, Set set) {
+  constexpr size_t kAtOnce = 256;
+  Sample samples[kAtOnce];
+  RayResult results[kAtOnce];
+  for (size_t begin = 0; begin < items.size(); begin += kAtOnce) {
+    const size_t count = std::min(kAtOnce, items.size() - begin);
+    for (size_t i = 0; i < count; ++i) set(items[begin + i], &samples[i], &results[i]);
+    sampling->Put({samples, count}, {results, count});
+  }
+}
+
 std::string Bytes(uint64_t n) { return std::to_string(n) + " bytes"; }
 
 }  // namespace
@@ -74,7 +87,7 @@ HostProcess::HostProcess(const RunOptions& options, ObjectSpool* spool, int fram
   if (options_.schedule == Schedule::kDataParallel) {
     feed_ = std::make_unique<DataParallelFeed>(camera_.get(), &tree_, options_.processes);
   } else {
-    feed_ = std::make_unique<PyramidFeed>(pyramid, std::move(expected_owners_));
+    feed_ = std::make_unique<PyramidFeed>(pyramid, options_.processes, std::move(expected_owners_));
   }
   options_.pyramid = static_cast<uint32_t>(pyramid);
 }
@@ -229,11 +242,22 @@ void HostProcess::On(ProcessId, const PixelResults& message, Outbox*) {
   }
   in_flight_ -= count;
   samples_done_ += count;
-  const RayResult background{settings.background, kFar, false};
-  for (uint64_t token : message.voids) sampling_->Put(SampleOf(token), background);
-  for (const PixelItem& i : message.misses)
-    sampling_->Put(SampleOf(i.token), {i.color, kFar, false});
-  for (const PixelItem& i : message.hits) sampling_->Put(SampleOf(i.token), {i.color, 0, true});
+  PutAll(message.voids, sampling_.get(), [&](uint64_t token, Sample* sample, RayResult* result) {
+    *sample = SampleOf(token);
+    result->color = settings.background;
+    result->distance = kFar;
+    result->hit = false;
+  });
+  const auto put = [this](const std::vector<PixelItem>& items, double distance, bool hit) {
+    PutAll(items, sampling_.get(), [=](const PixelItem& item, Sample* sample, RayResult* result) {
+      *sample = SampleOf(item.token);
+      result->color = item.color;
+      result->distance = distance;
+      result->hit = hit;
+    });
+  };
+  put(message.misses, kFar, false);
+  put(message.hits, 0, true);
 }
 
 void HostProcess::On(ProcessId from, const Statistics& message, Outbox*) {

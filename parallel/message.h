@@ -123,14 +123,14 @@ struct Ready {
 
 struct WorkRequest {
   RAYSHADE_MESSAGE(WorkRequest, "trace", "host", "RJ s.4",
-                   "A process short of work asks for one pyramid of primary rays.");
+                   "A process short of work asks for pyramids of primary rays.");
   template <class A>
   void Fields(A&) {}
 };
 
 struct PrimaryRays {
   RAYSHADE_MESSAGE(PrimaryRays, "host", "trace", "RJ s.3-4",
-                   "One pyramid of primary rays, as samples of the picture: a PyraClip task.");
+                   "Pyramids of primary rays, as samples of the picture: PyraClip tasks.");
   std::vector<uint64_t> tokens;  // of the samples' return addresses
 
   template <class A>

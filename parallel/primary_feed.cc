@@ -10,6 +10,8 @@ namespace rayshade::parallel {
 
 // How far pyramids may overtake each other: rows of the picture should come in roughly in order.
 constexpr size_t kPyramidsAhead = 256;
+// Most pyramids in an answer, and how many more answers of that size each process is to get.
+constexpr size_t kPyramidsAtOnce = 4, kShares = 8;
 
 PyramidFeed::Pyramid PyramidFeed::TakeFor(ProcessId process, size_t most, PixelSampling* sampling) {
   if (owners_.empty()) return {sampling->Next(most)};
@@ -32,19 +34,31 @@ PyramidFeed::Pyramid PyramidFeed::TakeFor(ProcessId process, size_t most, PixelS
   return taken;
 }
 
+// So many pyramids answer a request: fewer where a process could be left without at the end.
+size_t PyramidFeed::PyramidsAtOnce(const Picture& picture) const {
+  const uint64_t pixels = uint64_t(picture.width()) * picture.height();
+  const uint64_t left = pixels - std::min(pixels, handed_out_);
+  return std::clamp<uint64_t>(left / (kShares * processes_ * pyramid_), 1, kPyramidsAtOnce);
+}
+
 size_t PyramidFeed::HandOut(size_t room, PixelSampling* sampling, Outbox* outbox) {
   size_t handed_out = 0;
   while (!requests_.empty() && handed_out < room) {
     if (room - handed_out < pyramid_ && handed_out > 0) break;  // no slivers: wait for results
+    const ProcessId to = requests_.front();
     PrimaryRays message;
-    for (const Sample& sample :
-         TakeFor(requests_.front(), std::min(pyramid_, room - handed_out), sampling).samples)
-      message.tokens.push_back(TokenOf(sample));
+    for (size_t n = PyramidsAtOnce(sampling->picture()); n > 0; --n) {
+      const size_t left = room - handed_out - message.tokens.size();
+      if (left < pyramid_ && !message.tokens.empty()) break;
+      for (const Sample& sample : TakeFor(to, std::min(pyramid_, left), sampling).samples)
+        message.tokens.push_back(TokenOf(sample));
+    }
     if (message.tokens.empty()) break;
     handed_out += message.tokens.size();
-    outbox->Send(requests_.front(), Encode(message));
+    outbox->Send(to, Encode(message));
     requests_.pop_front();
   }
+  handed_out_ += handed_out;
   return handed_out;
 }
 

@@ -26,13 +26,15 @@ class PrimaryFeed {
 };
 
 // "There is a host process that issues bundles of rays on request" [RJ s.4]: each request is
-// answered by one pyramid. Where owners of hits are expected, the process that asks gets a pyramid
-// that it is expected to own, before one that hits nothing, before one of another's: a hit that is
-// found where it is shaded need not be transferred.
+// answered by one pyramid, or by up to four in one message while much of the picture is left. Where
+// owners of hits are expected, the process that asks gets a pyramid that it is expected to own,
+// before one that hits nothing, before one of another's: a hit that is found where it is shaded
+// need not be transferred.
 class PyramidFeed : public PrimaryFeed {
  public:
-  PyramidFeed(size_t pyramid, ExpectedOwners owners)
-      : pyramid_(pyramid), owners_(std::move(owners)) {}
+  // pyramid: most samples in one.
+  PyramidFeed(size_t pyramid, ProcessId processes, ExpectedOwners owners)
+      : pyramid_(pyramid), processes_(processes), owners_(std::move(owners)) {}
   void OnRequest(ProcessId from) override { requests_.push_back(from); }
   size_t HandOut(size_t room, PixelSampling* sampling, Outbox* outbox) override;
 
@@ -43,8 +45,12 @@ class PyramidFeed : public PrimaryFeed {
   };
   Pyramid TakeFor(ProcessId process, size_t most, PixelSampling* sampling);
 
+  size_t PyramidsAtOnce(const Picture& picture) const;
+
   size_t pyramid_;
+  ProcessId processes_;
   ExpectedOwners owners_;
+  uint64_t handed_out_ = 0;    // samples
   std::deque<Pyramid> ahead_;  // looked at and not handed out, in the picture's order
   std::deque<ProcessId> requests_;
 };

@@ -7,8 +7,9 @@ namespace rayshade::parallel {
 
 namespace {
 
-// A pack is full at about so many bytes: four fragments of PVM.
-constexpr size_t kPackBytes = 16000;
+// A pack is full at about so many bytes; pixels, which no trace process waits for, at more: a
+// message costs the host a turn on a processor that traces.
+constexpr size_t kPackBytes = 16000, kPixelBytes = 40000;
 // What things take in a message, about.
 constexpr size_t kRayBytes = 131, kShadowBytes = 160, kCrossingBytes = 50, kShadowResultBytes = 33;
 
@@ -99,15 +100,15 @@ void RayPacker::SendShadowResults(ProcessId to, Pack* pack, Outbox* outbox) {
 void RayPacker::AddPixel(const PixelItem& pixel, bool hit, Outbox* outbox) {
   std::vector<PixelItem>& pixels = hit ? pixels_.hits : pixels_.misses;
   pixels.push_back(pixel);
-  if (pixels.size() * sizeof(PixelItem) >= kPackBytes) SendPixels(outbox);
+  if (pixels.size() * sizeof(PixelItem) >= kPixelBytes) SendPixels(outbox);
 }
 
 void RayPacker::AddVoid(uint64_t token, Outbox* outbox) {
   pixels_.voids.push_back(token);
-  if (pixels_.voids.size() * sizeof(uint64_t) >= kPackBytes) SendPixels(outbox);
+  if (pixels_.voids.size() * sizeof(uint64_t) >= kPixelBytes) SendPixels(outbox);
 }
 
-void RayPacker::Flush(Outbox* outbox) {
+void RayPacker::FlushRays(Outbox* outbox) {
   for (size_t i = 0; i < packs_.size(); ++i) {
     const ProcessId to = static_cast<ProcessId>(i);
     Pack& pack = packs_[i];
@@ -119,6 +120,10 @@ void RayPacker::Flush(Outbox* outbox) {
     SendShadows(to, &pack, outbox);
     SendShadowResults(to, &pack, outbox);
   }
+}
+
+void RayPacker::Flush(Outbox* outbox) {
+  FlushRays(outbox);
   SendPixels(outbox);
 }
 

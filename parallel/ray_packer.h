@@ -1,6 +1,6 @@
 // Packs rays and results per receiver: a message of a few kilobytes costs what a message of one ray
-// costs. A pack is sent when it is full, and all are sent when the process has nothing else to do
-// or has worked for a while.
+// costs. A pack is sent when it is full, what other trace processes wait for as well when the
+// process has worked for a while, and all when it has nothing else to do.
 #pragma once
 
 #include <span>
@@ -27,6 +27,7 @@ class RayPacker {
   // Results of primary rays, to the host.
   void AddPixel(const PixelItem& pixel, bool hit, Outbox* outbox);
   void AddVoid(uint64_t token, Outbox* outbox);
+  void FlushRays(Outbox* outbox);  // all but pixels
   void Flush(Outbox* outbox);
   size_t bytes() const;
   size_t size() const;  // rays, hits and results that are not sent; shadow rays do not count

@@ -174,7 +174,6 @@ template <class A> void Fields(A& a, SceneSpec& s) {
   a("atmosphere", s.atmosphere);
 }
 template <class A> void Fields(A& a, Medium& m) { a("index", m.index); a("extinct", m.extinct); }
-template <class A> void Fields(A& a, Sample& s) { a("x", s.x); a("y", s.y); a("sub_cell", s.sub_cell); a("single", s.single); }
 // Where its media stand in the bundle is told by their number alone: they follow in order.
 template <class A> void Fields(A& a, Ray& r) {
   a("origin", r.origin); a("direction", r.direction); a("min_distance", r.min_distance); a("time", r.time);

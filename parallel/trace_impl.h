@@ -143,6 +143,9 @@ struct TraceProcess::Impl {
   void TraceShadowTasks(Outbox* outbox);
 
   // trace_shading.cc
+  [[gnu::always_inline]] void FetchAhead(const ReturnAddress& back) {
+    if (back.process == self) pending.Fetch(back.token >> 1);
+  }
   void ShadeBatch(const RayQueue& rays, Outbox* outbox);
   void Illuminate(const RayQueue& rays, size_t count, uint32_t light, Outbox* outbox);
   size_t IlluminateByRows(const RayQueue& rays, size_t count, uint32_t light);

@@ -205,13 +205,13 @@ void TraceProcess::Impl::On(ProcessId, PrimaryRays& message, Outbox*) {
   counts.primary_rays += message.tokens.size();
 }
 
-// The next part of the PyraClip tasks at hand, as rays.
+// A part of the PyraClip tasks at hand, as rays.
 void TraceProcess::Impl::TakeSamples(RayQueue* rays) {
   const size_t count = std::min(kRaysPerStep, samples.size());
-  const std::span<const Sample> part(samples.data(), count);
+  const auto part = std::span<const Sample>(samples).last(count);
   camera->AppendPrimaryRays(part, &rays->bundle.rays);
   for (const Sample& sample : part) rays->travel.emplace_back().back = {kHost, TokenOf(sample)};
-  samples.erase(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(count));
+  samples.resize(samples.size() - count);
 }
 
 // Appends the rays of a message to a queue; primary rays are made again from their samples.
@@ -351,7 +351,7 @@ bool TraceProcess::Impl::Work(Outbox* outbox) {
   if (tracer == nullptr || stopped) return false;
   if (!busy_before_tracing) busy_before_tracing = meter->busy_seconds();
   AskForWork(outbox);
-  if (++steps % kStepsPerFlush == 0) packer->Flush(outbox);
+  if (++steps % kStepsPerFlush == 0) packer->FlushRays(outbox);
   // What frees memory goes first: cells that rays wait for, shadow rays, then the deepest rays of
   // which there is a whole step (few rays at a time are traced badly). Then hits that others found,
   // primary rays, and at last what rays there are.

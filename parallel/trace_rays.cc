@@ -23,6 +23,8 @@ void TraceProcess::Impl::TraceSome(const RayQueue& rays, size_t begin, size_t co
                   std::span(rays.travel).subspan(begin, count), hits, halts, &counts);
   for (size_t k = 0; k < count; ++k) {
     const size_t i = begin + k;
+    if (k + PendingIntersections::kAhead < count)
+      FetchAhead(rays.travel[i + PendingIntersections::kAhead].back);
     if (halts[k].cell != kNoCell) {
       GoOn(rays, i, hits[k], halts[k].cell, outbox);
     } else if (hits[k].found()) {

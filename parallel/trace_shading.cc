@@ -22,6 +22,8 @@ void TraceProcess::Impl::ShadeBatch(const RayQueue& rays, Outbox* outbox) {
     Illuminate(rays, count, light, outbox);
   }
   for (size_t h = 0; h < count; ++h) {
+    if (h + PendingIntersections::kAhead < count)
+      FetchAhead(rays.travel[batch.rays[h + PendingIntersections::kAhead]].back);
     if (batch.aside[h] != kNotAside) continue;
     const size_t i = batch.rays[h];
     Lit(rays.bundle.rays[i], rays.media(i), batch.distances[h], batch.surfaces[h], batch.lights[h],

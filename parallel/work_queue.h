@@ -27,10 +27,10 @@ inline constexpr size_t kRaysPerStep = 512;
 // would leave the processor's cache.
 inline constexpr size_t kRaysWorthAStep = 64;
 // Requests for primary rays that may be unanswered at once.
-inline constexpr int kRequestsAhead = 3;
+inline constexpr int kRequestsAhead = 1;
 // Requests for cells that may be unanswered at once.
 inline constexpr size_t kCellsAhead = 8;
-// Packs that are not full are sent after so many steps.
+// Packs for other trace processes that are not full are sent after so many steps.
 inline constexpr int kStepsPerFlush = 8;
 
 // Rays that can be traced now, by depth.

@@ -28,8 +28,9 @@ struct PictureWindow {
 struct Sample {
   int32_t x = 0, y = 0;
   uint16_t sub_cell = 0;
-  bool single =
-      false;  // the first sample of a pixel: positions round differently [rayshade4/1 s.8.4]
+  // 1: the first sample of a pixel, whose position rounds differently [rayshade4/1 s.8.4]. As wide
+  // as it is so that nothing is left of three words, which are then copied as such.
+  uint16_t single = 0;
   bool operator==(const Sample&) const = default;
 };
 

@@ -181,11 +181,11 @@ bool Renderer::RenderFrame(int frame) {
     ReportWorld(world, scene_->primitives_placed(), report());
     if (frame == settings_.first_frame) ReportOptions(settings_, camera.window(), report());
   }
+  PixelSampling sampling(settings_, camera, false);
   stats_.build_seconds += EndPhase();
   if (reports() && frame == settings_.first_frame) ReportStart(CpuTimeUsed(), report());
 
   // Trace.
-  PixelSampling sampling(settings_, camera, false);
   const std::string fingerprint = PictureFingerprint(settings_, frame, built.objects->size());
   if (options_.continue_picture && kept) {
     const auto state = ReadPartial(file, fingerprint);

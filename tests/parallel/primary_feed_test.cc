@@ -58,13 +58,13 @@ class Pyramids : public testing::Test {
 };
 
 TEST_F(Pyramids, ComeInThePicturesOrderWhereNothingIsExpected) {
-  PyramidFeed feed(4, ExpectedOwners());
+  PyramidFeed feed(4, 2, ExpectedOwners());
   Ask(&feed, 2, 4);
   for (size_t m = 0; m < 4; ++m) EXPECT_EQ(ColumnOf(m), int(m));
 }
 
 TEST_F(Pyramids, OfTheAskingProcessComeFirstThenVoidsThenThoseOfOthers) {
-  PyramidFeed feed(4, ExpectedOwners(hits_, tree_, camera_->window()));
+  PyramidFeed feed(4, 2, ExpectedOwners(hits_, tree_, camera_->window()));
   Ask(&feed, 2, 100);
   std::set<uint64_t> seen;
   std::vector<int> columns;
@@ -80,8 +80,25 @@ TEST_F(Pyramids, OfTheAskingProcessComeFirstThenVoidsThenThoseOfOthers) {
   EXPECT_EQ(columns.back(), 0);
 }
 
+TEST_F(Pyramids, ComeFourAtOnceWhileMuchOfThePictureIsLeft) {
+  PyramidFeed feed(2, 1, ExpectedOwners());
+  Ask(&feed, 1, 100);
+  EXPECT_EQ(sent_.tokens_.front().size(), 4u * 2);
+  EXPECT_LE(sent_.tokens_.back().size(), 2u);
+  size_t samples = 0;
+  for (const auto& tokens : sent_.tokens_) samples += tokens.size();
+  EXPECT_EQ(samples, 8u * 9);
+}
+
+TEST_F(Pyramids, AtOnceAreNoMoreThanThereIsRoomFor) {
+  PyramidFeed feed(2, 1, ExpectedOwners());
+  feed.OnRequest(1);
+  EXPECT_EQ(feed.HandOut(5, sampling_.get(), &sent_), 4u);
+  EXPECT_EQ(sent_.tokens_.at(0).size(), 4u);
+}
+
 TEST_F(Pyramids, AreNotLostWhenTwoProcessesAskInTurn) {
-  PyramidFeed feed(4, ExpectedOwners(hits_, tree_, camera_->window()));
+  PyramidFeed feed(4, 2, ExpectedOwners(hits_, tree_, camera_->window()));
   for (int i = 0; i < 50; ++i) {
     Ask(&feed, 1, 1);
     Ask(&feed, 2, 1);

@@ -47,6 +47,15 @@ TEST_F(RayPackerTest, NothingIsSentBeforeAPackIsFullOrFlushed) {
   EXPECT_TRUE(sent_.empty());
 }
 
+TEST_F(RayPackerTest, PixelsStayWhenTheRestIsFlushed) {
+  packer_.AddRay(2, Secondary(1), {}, {}, &outbox_);
+  packer_.AddVoid(9, &outbox_);
+  packer_.FlushRays(&outbox_);
+  ASSERT_EQ(sent_.size(), 1u);
+  EXPECT_EQ(sent_[0].tag, Tag::kRayTask);
+  EXPECT_EQ(packer_.size(), 1u);
+}
+
 TEST_F(RayPackerTest, APackIsFullAtSomeKilobytes) {
   for (int i = 0; i < 1000; ++i) packer_.AddRay(2, Secondary(i), {}, {}, &outbox_);
   ASSERT_GT(sent_.size(), 3u);
