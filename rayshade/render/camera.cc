@@ -98,10 +98,11 @@ Ray Camera::PrimaryRay(const Sample& sample) const {
 }
 
 void Camera::AppendPrimaryRays(std::span<const Sample> samples, std::vector<Ray>* rays) const {
+  static const std::vector<Ray> fresh(kTogether);  // copied as a whole, not member by member
   rays->reserve(rays->size() + samples.size());
   for (size_t i = 0; i < samples.size(); i += kTogether) {
     const auto some = samples.subspan(i, std::min(kTogether, samples.size() - i));
-    rays->resize(rays->size() + some.size());
+    rays->insert(rays->end(), fresh.begin(), fresh.begin() + static_cast<ptrdiff_t>(some.size()));
     SetPrimaryRays(some, rays->data() + rays->size() - some.size());
   }
 }

@@ -18,14 +18,12 @@ bool AnyAbove(const Color& color, double limit) { return AnyAbove(color, {limit,
 void Append(const Ray& ray, const SurfaceHit& hit, const Vector& direction,
             const Color& contribution, RayKind kind, std::span<const Medium> media,
             const Medium* innermost, RayBundle* bundle) {
-  Ray& next = bundle->rays.emplace_back();
+  Ray& next = bundle->rays.emplace_back(ray);
   next.origin = hit.point;
   next.direction = direction;
   next.min_distance = LeastDistance(hit, direction, kEpsilon);
-  next.time = ray.time;
   next.contribution = contribution;
   next.key = PathKey(ray.key, kind == RayKind::kRefracted);
-  next.sample_number = ray.sample_number;
   next.media_begin = static_cast<uint32_t>(bundle->media.size());
   next.media_count = static_cast<uint16_t>(media.size() + (innermost != nullptr ? 1 : 0));
   next.depth = static_cast<uint16_t>(ray.depth + 1);
