@@ -51,8 +51,7 @@ Machine ParseMachine(const std::string& name, const std::string& text) {
   int number = 0;
   for (std::string line; std::getline(lines, line);) ReadLine(name, ++number, line, wanted, &seen);
   for (const auto& [key, value] : wanted)
-    if (!seen.contains(key) && value != &machine.contention)
-      Refuse(name, number, key + " is missing");
+    if (!seen.contains(key)) Refuse(name, number, key + " is missing");
   if (machine.slowness <= 0 || machine.node_slowness <= 0)
     Refuse(name, number, "slowness and node_slowness are more than nothing");
   if (machine.nodes < 1 || machine.processors < 1 || machine.process_bytes() <= 0)

@@ -1,8 +1,7 @@
 // A machine that is not there, as the cost model sees it (doc/cost_model.md): what an operation and
 // a message cost, and what a node holds. Seconds and bytes. Read from a text:
 //
-//   machine  = { line }              every number of RAYSHADE_MACHINE once, in any order;
-//                                    contention may be missing: there is none
+//   machine  = { line }              every number of RAYSHADE_MACHINE once, in any order
 //   line     = [ NAME VALUE TAG { word } ] [ "#" comment ]
 //   TAG      = "paper" | "manual" | "measured" | "fitted" | "assumed"
 //

@@ -80,15 +80,6 @@ TEST(Machine, ANodeIsSlowerThanTheProcessorOfTheSequentialTimes) {
   EXPECT_DOUBLE_EQ(CostOf(machine, work), 2 * before);
 }
 
-// Machine files from before there was contention go on.
-TEST(Machine, ContentionMayBeMissingAndIsNoneThen) {
-  std::string text = Text("powerxplorer");
-  EXPECT_EQ(ParseMachine("box.machine", With(text, "contention", "")).contention, 0);
-  EXPECT_EQ(
-      ParseMachine("box.machine", With(text, "contention", "contention .25 assumed")).contention,
-      .25);
-}
-
 // What is fetched while tracing, at both ends, does not cost what was stored before.
 TEST(Machine, StoredFetchedAndLentObjectsHaveCostsOfTheirOwn) {
   Machine machine = FindMachine("cluster-1g");
