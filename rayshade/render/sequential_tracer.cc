@@ -277,27 +277,4 @@ void TraceBundle(const Scene& scene, const ObjectSet& objects, const RayBundle& 
   SequentialTracer(&scene, &objects).Trace(bundle, results, counts);
 }
 
-void TraceShadows(const Scene& scene, const ObjectSet& objects, std::span<ShadowRay> shadows,
-                  std::span<uint8_t> arrived, OpCounts* counts) {
-  CHECK(shadows.size() == arrived.size());
-  std::vector<Ray> rays;
-  std::vector<double> limits;
-  std::vector<Color> colors;
-  std::vector<size_t> traced;
-  for (size_t i = 0; i < shadows.size(); ++i) {
-    arrived[i] = 1;
-    if (!shadows[i].traced) continue;
-    traced.push_back(i);
-    rays.push_back(shadows[i].ray);
-    limits.push_back(shadows[i].limit);
-    colors.push_back(shadows[i].color);
-  }
-  std::vector<uint8_t> blocked(traced.size());
-  ShadowTracer(&scene, &objects).Trace(rays, limits, colors, blocked, counts);
-  for (size_t k = 0; k < traced.size(); ++k) {
-    arrived[traced[k]] = !blocked[k];
-    shadows[traced[k]].color = blocked[k] ? Color() : colors[k];
-  }
-}
-
 }  // namespace rayshade

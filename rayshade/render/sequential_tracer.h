@@ -57,9 +57,4 @@ class SequentialTracer {
 void TraceBundle(const Scene& scene, const ObjectSet& objects, const RayBundle& bundle,
                  std::span<RayResult> results, OpCounts* counts);
 
-// Follows shadow rays to their limits: shadows[i].color becomes what arrives, arrived[i] whether
-// anything does.
-void TraceShadows(const Scene& scene, const ObjectSet& objects, std::span<ShadowRay> shadows,
-                  std::span<uint8_t> arrived, OpCounts* counts);
-
 }  // namespace rayshade

@@ -115,16 +115,6 @@ bool SampleLight(const Scene& scene, uint32_t light_number, const Ray& ray, cons
   return true;
 }
 
-void SpawnShadows(const Scene& scene, const Ray& ray, const SurfaceHit& hit,
-                  std::vector<ShadowRay>* shadows, OpCounts* counts) {
-  for (uint32_t light = 0; light < scene.lights.size(); ++light) {
-    ShadowRay shadow;
-    if (SampleLight(scene, light, ray, hit, &shadow, &shadow.ray, counts)) {
-      shadows->push_back(shadow);
-    }
-  }
-}
-
 bool HasHighlight(const Surface& surface) {
   return surface.specpow >= kEpsilon && surface.specular != kBlack;
 }

@@ -3,7 +3,7 @@
 // messages, both through the functions below.
 //
 //   ResolveHit      hit → point, normals, textured surface
-//   SpawnShadows    which shadow rays the hit wants, one for each light at most
+//   SampleLight     what a light does to the hit, and the shadow ray that asks whether it arrives
 //   AddLight        folds the lights in visiting order, once all shadow results are there
 //   SpawnSecondary  at most one transmitted and one reflected ray; total reflection, depth limit
 //                   and cutoff are decided here, before anything is traced
@@ -84,9 +84,6 @@ void MakeShadowRay(const Ray& ray, const SurfaceHit& hit, const Vector& directio
 // traced.
 bool SampleLight(const Scene& scene, uint32_t light, const Ray& ray, const SurfaceHit& hit,
                  LightSample* sample, Ray* shadow, OpCounts* counts);
-// All lights: appends the shadow rays of a hit, in visiting order of the lights.
-void SpawnShadows(const Scene& scene, const Ray& ray, const SurfaceHit& hit,
-                  std::vector<ShadowRay>* shadows, OpCounts* counts);
 
 inline Color ShadeAmbient(const Scene& scene, const SurfaceHit& hit) {
   return hit.surface().ambient * scene.settings().ambient_light;

@@ -80,47 +80,45 @@ TEST(SequentialTracer, FacingMirrorsCountEveryRay) {
   EXPECT_EQ(scene.counts().shades, 8u);
 }
 
-TEST(TraceShadows, TellsWhatArrives) {
+Ray ShadowRayTo(const Vector& origin, const Vector& direction) {
+  Ray ray = TextScene::RayTo(origin, direction);
+  ray.min_distance = kShadowEpsilon;
+  return ray;
+}
+
+TEST(ShadowTracer, TellsWhatArrives) {
   TextScene scene(
       "surface glass transp .5 body 1 .5 .25\n"
       "disc glass 1 0 -5 0 0 1 0\ndisc 1 10 -5 0 0 1 0\n");
-  const auto shadow = [](double x, double limit) {
-    ShadowRay shadow;
-    shadow.ray = TextScene::RayTo({x, 0, 0}, {0, -1, 0});
-    shadow.ray.min_distance = kShadowEpsilon;
-    shadow.limit = limit;
-    shadow.color = {1, 1, 1};
-    return shadow;
-  };
-  std::vector<ShadowRay> shadows = {shadow(0, kFar), shadow(10, kFar), shadow(20, kFar),
-                                    shadow(10, 4),   shadow(0, 4),     shadow(10, kFar)};
-  shadows.back().traced = false;
-  std::vector<uint8_t> arrived(shadows.size());
+  const std::vector<double> places = {0, 10, 20, 10, 0}, limits = {kFar, kFar, kFar, 4, 4};
+  std::vector<Ray> rays;
+  for (const double x : places) rays.push_back(ShadowRayTo({x, 0, 0}, {0, -1, 0}));
+  std::vector<Color> colors(rays.size(), {1, 1, 1});
+  std::vector<uint8_t> blocked(rays.size());
   OpCounts counts;
-  TraceShadows(scene.scene(), scene.objects(), shadows, arrived, &counts);
-  EXPECT_EQ(arrived, (std::vector<uint8_t>{1, 0, 1, 1, 1, 1}));
-  EXPECT_EQ(shadows[0].color, (Color{.5, .25, .125}));
-  EXPECT_EQ(shadows[2].color, (Color{1, 1, 1}));
-  EXPECT_EQ(shadows[4].color, (Color{1, 1, 1}));
+  ShadowTracer(&scene.scene(), &scene.objects()).Trace(rays, limits, colors, blocked, &counts);
+  EXPECT_EQ(blocked, (std::vector<uint8_t>{0, 1, 0, 0, 0}));
+  EXPECT_EQ(colors[0], (Color{.5, .25, .125}));
+  EXPECT_EQ(colors[2], (Color{1, 1, 1}));
+  EXPECT_EQ(colors[4], (Color{1, 1, 1}));
 }
 
 // A union has no walls inside; it was seen from a step of one bit behind the last crossing, where a
 // ray may still be outside of the sphere that it has entered.
-TEST(TraceShadows, AGlassUnionIsCrossedTwice) {
+TEST(ShadowTracer, AGlassUnionIsCrossedTwice) {
   TextScene scene(
       "surface glass transp .5\n"
       "union sphere glass .9 -2.3 0 0 sphere glass .9 -1.2 0 0 end\n");
+  ShadowTracer tracer(&scene.scene(), &scene.objects());
   for (int i = 0; i < 100; ++i) {
-    ShadowRay shadow;
-    shadow.ray = TextScene::RayTo({-9, .0031 * i, .0017 * i}, {1, .0002 * i, -.0002 * i});
-    shadow.ray.min_distance = kShadowEpsilon;
-    shadow.limit = kFar;
-    shadow.color = {1, 1, 1};
-    uint8_t arrived = 0;
+    const Ray ray = ShadowRayTo({-9, .0031 * i, .0017 * i}, {1, .0002 * i, -.0002 * i});
+    const double limit = kFar;
+    Color color{1, 1, 1};
+    uint8_t blocked = 0;
     OpCounts counts;
-    TraceShadows(scene.scene(), scene.objects(), {&shadow, 1}, {&arrived, 1}, &counts);
-    ASSERT_TRUE(arrived);
-    EXPECT_EQ(shadow.color.r, .25) << i;
+    tracer.Trace({&ray, 1}, {&limit, 1}, {&color, 1}, {&blocked, 1}, &counts);
+    ASSERT_FALSE(blocked);
+    EXPECT_EQ(color.r, .25) << i;
   }
 }
 

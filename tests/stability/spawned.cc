@@ -58,9 +58,12 @@ class Stage {
     RayBundle bundle;
     SpawnSecondary(*built_.scene, ray, {}, resolved, &bundle, &bundle);
     *spawned = bundle.rays;
-    std::vector<ShadowRay> shadows;
-    SpawnShadows(*built_.scene, ray, resolved, &shadows, &counts_);
-    for (const ShadowRay& shadow : shadows) spawned->push_back(shadow.ray);
+    LightSample sample;
+    Ray shadow;
+    for (uint32_t light = 0; light < built_.scene->lights.size(); ++light) {
+      if (SampleLight(*built_.scene, light, ray, resolved, &sample, &shadow, &counts_))
+        spawned->push_back(shadow);
+    }
     return true;
   }
 
