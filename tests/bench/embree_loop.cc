@@ -104,7 +104,7 @@ class Tracer {
       : file_(scene), device_(rtcNewDevice("threads=1")), scene_(rtcNewScene(device_)) {
     rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
     if (!scene.spheres.empty())
-      Attach(RTC_GEOMETRY_TYPE_SPHERE_POINT, RTC_FORMAT_FLOAT4, scene.spheres, 4);
+      spheres_ = Attach(RTC_GEOMETRY_TYPE_SPHERE_POINT, RTC_FORMAT_FLOAT4, scene.spheres, 4);
     if (!scene.triangles.empty())
       Attach(RTC_GEOMETRY_TYPE_TRIANGLE, RTC_FORMAT_FLOAT3, scene.vertices, 3);
     rtcCommitScene(scene_);
@@ -126,8 +126,8 @@ class Tracer {
   }
 
  private:
-  void Attach(RTCGeometryType type, RTCFormat format, const std::vector<float>& data,
-              unsigned stride) {
+  unsigned Attach(RTCGeometryType type, RTCFormat format, const std::vector<float>& data,
+                  unsigned stride) {
     RTCGeometry geometry = rtcNewGeometry(device_, type);
     auto* to = static_cast<float*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_VERTEX, 0, format, stride * sizeof(float), data.size() / stride));
@@ -139,7 +139,7 @@ class Tracer {
       std::copy(file_.triangles.begin(), file_.triangles.end(), index);
     }
     rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene_, geometry);
+    return rtcAttachGeometry(scene_, geometry);
   }
 
   void Follow(Vec origin, Vec direction) {
@@ -158,7 +158,7 @@ class Tracer {
       Vec normal = Unit({ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z});
       if (Dot(normal, direction) > 0) normal = -1 * normal;
       for (const Vec& light : file_.lights) Shadow(point, normal, light);
-      if (file_.mirrors.empty() || !file_.mirrors[ray.hit.primID]) return;
+      if (ray.hit.geomID != spheres_ || !file_.mirrors[ray.hit.primID]) return;
       origin = point;
       direction = direction - 2 * Dot(direction, normal) * normal;
     }
@@ -178,6 +178,7 @@ class Tracer {
   const SceneFile& file_;
   RTCDevice device_;
   RTCScene scene_;
+  unsigned spheres_ = RTC_INVALID_GEOMETRY_ID;
   long blocked_ = 0;
 };
 
