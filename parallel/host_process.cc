@@ -2,6 +2,7 @@
 #include "parallel/host_process.h"
 
 #include <algorithm>
+#include <functional>
 #include <stdexcept>
 #include <utility>
 
@@ -49,15 +50,20 @@ uint64_t BytesBeside(const CellTree& tree, const SceneSpec& scene, Shadows shado
          2 * BytesPerPrimaryRay(scene, shadows);
 }
 
-// Puts what a message says of samples, by bundles: set(item, &sample, &result).
-template <class Item, class Set>
-void PutAll(const std::vector<Item>& items, PixelSampling* sampling, Set set) {
+// Puts what a message says of samples, by bundles. pixel_of(item): its sample and colour.
+template <class Item, class PixelOf>
+void PutAll(const std::vector<Item>& items, double distance, bool hit, PixelOf pixel_of,
+            PixelSampling* sampling) {
   constexpr size_t kAtOnce = 256;
   Sample samples[kAtOnce];
   RayResult results[kAtOnce];
   for (size_t begin = 0; begin < items.size(); begin += kAtOnce) {
     const size_t count = std::min(kAtOnce, items.size() - begin);
-    for (size_t i = 0; i < count; ++i) set(items[begin + i], &samples[i], &results[i]);
+    for (size_t i = 0; i < count; ++i) {
+      const PixelItem& pixel = pixel_of(items[begin + i]);
+      samples[i] = SampleOf(pixel.token);
+      results[i] = {pixel.color, distance, hit};
+    }
     sampling->Put({samples, count}, {results, count});
   }
 }
@@ -242,22 +248,12 @@ void HostProcess::On(ProcessId, const PixelResults& message, Outbox*) {
   }
   in_flight_ -= count;
   samples_done_ += count;
-  PutAll(message.voids, sampling_.get(), [&](uint64_t token, Sample* sample, RayResult* result) {
-    *sample = SampleOf(token);
-    result->color = settings.background;
-    result->distance = kFar;
-    result->hit = false;
-  });
-  const auto put = [this](const std::vector<PixelItem>& items, double distance, bool hit) {
-    PutAll(items, sampling_.get(), [=](const PixelItem& item, Sample* sample, RayResult* result) {
-      *sample = SampleOf(item.token);
-      result->color = item.color;
-      result->distance = distance;
-      result->hit = hit;
-    });
+  const auto background = [&settings](uint64_t token) {
+    return PixelItem{token, settings.background};
   };
-  put(message.misses, kFar, false);
-  put(message.hits, 0, true);
+  PutAll(message.voids, kFar, false, background, sampling_.get());
+  PutAll(message.misses, kFar, false, std::identity(), sampling_.get());
+  PutAll(message.hits, 0, true, std::identity(), sampling_.get());
 }
 
 void HostProcess::On(ProcessId from, const Statistics& message, Outbox*) {

@@ -44,17 +44,16 @@ size_t PyramidFeed::PyramidsAtOnce(const Picture& picture) const {
 size_t PyramidFeed::HandOut(size_t room, PixelSampling* sampling, Outbox* outbox) {
   size_t handed_out = 0;
   while (!requests_.empty() && handed_out < room) {
-    if (room - handed_out < pyramid_ && handed_out > 0) break;  // no slivers: wait for results
     const ProcessId to = requests_.front();
     PrimaryRays message;
     for (size_t n = PyramidsAtOnce(sampling->picture()); n > 0; --n) {
-      const size_t left = room - handed_out - message.tokens.size();
-      if (left < pyramid_ && !message.tokens.empty()) break;
-      for (const Sample& sample : TakeFor(to, std::min(pyramid_, left), sampling).samples)
-        message.tokens.push_back(TokenOf(sample));
+      const size_t left = room - handed_out;
+      if (left < pyramid_ && handed_out > 0) break;  // no slivers: wait for results
+      const Pyramid pyramid = TakeFor(to, std::min(pyramid_, left), sampling);
+      for (const Sample& sample : pyramid.samples) message.tokens.push_back(TokenOf(sample));
+      handed_out += pyramid.samples.size();
     }
     if (message.tokens.empty()) break;
-    handed_out += message.tokens.size();
     outbox->Send(to, Encode(message));
     requests_.pop_front();
   }

@@ -184,7 +184,7 @@ struct TraceProcess::Impl {
   std::shared_ptr<const RankIndex> ranks;  // of `own`; null where memory is short
 
   // Rays in work.
-  std::vector<Sample> samples;  // of PyraClip tasks, not begun
+  std::deque<Sample> samples;  // of PyraClip tasks, not begun
   WorkQueue queue;
   std::deque<ShadowTravel> shadow_tasks;
   RayQueue transferred;  // hits from other processes, to be located and shaded

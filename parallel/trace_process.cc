@@ -205,13 +205,14 @@ void TraceProcess::Impl::On(ProcessId, PrimaryRays& message, Outbox*) {
   counts.primary_rays += message.tokens.size();
 }
 
-// A part of the PyraClip tasks at hand, as rays.
+// The next part of the PyraClip tasks at hand, as rays. The oldest come first: a picture that is
+// cut short keeps its complete rows.
 void TraceProcess::Impl::TakeSamples(RayQueue* rays) {
-  const size_t count = std::min(kRaysPerStep, samples.size());
-  const auto part = std::span<const Sample>(samples).last(count);
+  const auto end = samples.begin() + static_cast<ptrdiff_t>(std::min(kRaysPerStep, samples.size()));
+  const std::vector<Sample> part(samples.begin(), end);
   camera->AppendPrimaryRays(part, &rays->bundle.rays);
   for (const Sample& sample : part) rays->travel.emplace_back().back = {kHost, TokenOf(sample)};
-  samples.resize(samples.size() - count);
+  samples.erase(samples.begin(), end);
 }
 
 // Appends the rays of a message to a queue; primary rays are made again from their samples.

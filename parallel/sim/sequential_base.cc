@@ -53,10 +53,10 @@ WorkDone SequentialWork(ObjectSpool* spool, int frame, Picture* picture) {
   while (!sampling.done()) {
     const std::vector<Sample> samples = sampling.Next(kBundle);
     bundle.clear();
-    for (const Sample& sample : samples) bundle.rays.push_back(camera.PrimaryRay(sample));
+    camera.AppendPrimaryRays(samples, &bundle.rays);
     results.assign(samples.size(), {});
     tracer.Trace(bundle, results, &work.counts);
-    for (size_t i = 0; i < samples.size(); ++i) sampling.Put(samples[i], results[i]);
+    sampling.Put(samples, results);
     work.samples += 2 * samples.size();
   }
   if (picture != nullptr) *picture = sampling.picture();

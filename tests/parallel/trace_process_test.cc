@@ -86,6 +86,23 @@ class RunningProcess : public testing::Test {
   HandDrivenRun run_;
 };
 
+TEST_F(RunningProcess, TracesFirstWhatCameFirst) {
+  // Corners that see nothing, more than a step of each.
+  const std::vector<uint64_t> corners = {TokenOf({0, 0, 0, false}), TokenOf({7, 0, 0, false})};
+  std::vector<uint64_t> told, voids;
+  for (const uint64_t corner : corners) {
+    const std::vector<uint64_t> pyramid(1000, corner);
+    run_.Tell(kHost, 1, PrimaryRays{pyramid});
+    told.insert(told.end(), pyramid.begin(), pyramid.end());
+  }
+  for (const SentMessage& s : run_.Work(1)) {
+    if (s.tag != Tag::kPixelResults) continue;
+    const auto results = Decode<PixelResults>(s.bytes);
+    voids.insert(voids.end(), results.voids.begin(), results.voids.end());
+  }
+  EXPECT_EQ(voids, told);
+}
+
 TEST_F(RunningProcess, RefusesWhatMakesNoSense) {
   ExpectRefused(CellRequest{CellOf(2)}, "not its own cell");
   ExpectRefused(CellRequest{999999}, "no cell");
