@@ -145,7 +145,7 @@ RAYSHADE_ROUTINE bool NearestOfBundle(const TraceView& view, Bundle* b, Hit* hit
     if (e.groups == 0) continue;
     if (!PaysOff(b->groups, e, kNearestPatience, &work)) return false;
     if (KindOf(e.branch) != kInnerNode) {
-      CountTests(view, e.branch, RaysIn(e), counters);
+      CountTests(view, KindOf(e.branch), e.branch, RaysIn(e), counters);
       NearestInLeafOfBundle(view, b, e, hits);
     } else {
       ++counters->nodes;
@@ -228,7 +228,7 @@ RAYSHADE_ROUTINE bool BlockBundle(const TraceView& view, Bundle* b, uint32_t run
     if (e.groups == 0) continue;
     if (!PaysOff(groups, e, kBlockPatience, &work)) return false;
     if (KindOf(e.branch) != kInnerNode) {
-      CountTests(view, e.branch, RaysIn(e), counters);
+      CountTests(view, KindOf(e.branch), e.branch, RaysIn(e), counters);
       BlockInLeafOfBundle(view, b, e, fate, counters);
     } else {
       ++counters->nodes;

@@ -23,11 +23,11 @@ RAYSHADE_KERNEL uint32_t GeomOf(const TraceView& view, uint32_t object) {
 }
 
 // So many rays are tested against each object of a leaf.
-RAYSHADE_KERNEL void CountTests(const TraceView& view, uint64_t branch, uint32_t rays,
-                                Counters* counters) {
+RAYSHADE_KERNEL void CountTests(const TraceView& view, LeafKind kind, uint64_t branch,
+                                uint32_t rays, Counters* counters) {
   const uint32_t first = ChildOf(branch), count = CountOf(branch);
-  if (KindOf(branch) != kOtherLeaf) {
-    counters->flat_tests[KindOf(branch)] += rays * count;
+  if (kind != kOtherLeaf) {
+    counters->flat_tests[kind] += rays * count;
     return;
   }
   for (uint32_t i = first; i < first + count; ++i) counters->kinds[GeomOf(view, i)].tests += rays;
@@ -54,6 +54,7 @@ struct RayWork {
   double strict_limit;  // hits of strict kinds lie before
   double sure;          // hits beyond are checked against the object's box
   const Ray* ray;
+  float rounded[8];     // origin, direction, least, time
 };
 
 RAYSHADE_KERNEL float FloatBelow(double x) {
@@ -75,21 +76,23 @@ RAYSHADE_KERNEL void SetUp(const TraceView& view, const Ray& ray, RayWork* w, Sl
   const double squared = w->d[0] * w->d[0] + w->d[1] * w->d[1] + w->d[2] * w->d[2];
   if (!(__builtin_fabs(squared - 1) < kUnitTolerance)) w->sure = -1;
   w->ray = &ray;
+  Store(Rounded(all), w->rounded);
   const F8 relative = Rounded(all - LoadD(view.center));
   const F8 margin = Size(relative) * SetF(1.2e-7f);
   const F8 inverse = Rounded(SetD(1) / Max(SetD(kSmallestDirection), Max(all, SetD(0) - all)));
-  alignas(32) float above[8], below[8], inverses[8];
-  Store(relative + margin, above);
-  Store(relative - margin, below);
+  alignas(32) float origins[2][8], inverses[8];
+  Store(relative + margin, origins[0]);
+  Store(relative - margin, origins[1]);
   Store(inverse, inverses);
-  for (int axis = 0; axis < 3; ++axis) {
-    const bool negative = __builtin_signbit(w->d[axis]);
-    s->near_origin[axis] = negative ? below[axis] : above[axis];
-    s->far_origin[axis] = negative ? above[axis] : below[axis];
-    s->inverse[axis] = negative ? -inverses[3 + axis] : inverses[3 + axis];
-    const auto low = static_cast<uint32_t>(axis) * kPlaneBytes, high = low + 3 * kPlaneBytes;
-    s->near_plane[axis] = negative ? high : low;
-    s->far_plane[axis] = negative ? low : high;
+  for (uint32_t axis = 0; axis < 3; ++axis) {
+    // By place instead of by branches, which rays of all directions take by chance.
+    const uint32_t negative = __builtin_signbit(w->d[axis]) != 0;
+    const uint32_t low = axis * kPlaneBytes, up = 3 * kPlaneBytes;
+    s->near_origin[axis] = origins[negative][axis];
+    s->far_origin[axis] = origins[1 - negative][axis];
+    s->inverse[axis] = __builtin_copysignf(inverses[3 + axis], w->rounded[3 + axis]);
+    s->near_plane[axis] = low + negative * up;
+    s->far_plane[axis] = low + (1 - negative) * up;
   }
   s->least = FloatBelow(ray.min_distance) * (2 - kSlack);
 }
@@ -122,42 +125,72 @@ RAYSHADE_KERNEL bool IsOpaque(const TraceView& view, uint32_t object) {
   return view.all_opaque || view.opaque[view.keys[object].placement];
 }
 
-// Up to eight spheres, one a lane, against a ray: the very operations of IntersectSphere
-// (geom/sphere.h). Bits of those hit in (least, limit) and not beyond best; *distance: where.
-RAYSHADE_KERNEL uint32_t MeetSpheres(const double* rows, int count, const RayWork& w, double best,
-                                     D8* distance) {
-  const D8 dx = SetD(w.d[0]), dy = SetD(w.d[1]), dz = SetD(w.d[2]);
-  const D8 cx = LoadD(rows) - SetD(w.o[0]);
-  const D8 cy = LoadD(rows + count) - SetD(w.o[1]);
-  const D8 cz = LoadD(rows + 2 * count) - SetD(w.o[2]);
-  const D8 radius = LoadD(rows + 3 * count);
-  const D8 b = cx * dx + cy * dy + cz * dz;
-  const D8 px = cx - b * dx, py = cy - b * dy, pz = cz - b * dz;
-  const D8 discriminant = radius * radius - (px * px + py * py + pz * pz);
-  const uint32_t real = LessEqual(SetD(0), discriminant) & ((1u << count) - 1);
-  if (real == 0) return 0;
-  const D8 root = Sqrt(discriminant);
-  const D8 first = b - root, second = b + root, least = SetD(w.least);
-  const D8 s = Choose(Less(least, first), first, second);
+// Those of up to eight spheres, one a lane, that a ray with a unit direction may hit in (least,
+// most): bits; a look in single precision. A sphere that is hit has |c| <= |b| + radius. c, b and p
+// are off by less than 13 roundings of that (c by 1, b by 5), and `off` has 33 of them: it widens
+// the sphere by more than twice of what p is off by, so that what is left for the root stays larger
+// than the true one, and the distances by what b and the root are off by.
+RAYSHADE_KERNEL uint32_t SpheresOnRay(const double* rows, int count, const RayWork& w, float most) {
+  const F8 dx = SetF(w.rounded[3]), dy = SetF(w.rounded[4]), dz = SetF(w.rounded[5]);
+  const F8 cx = Rounded(LoadD(rows) - SetD(w.o[0]));
+  const F8 cy = Rounded(LoadD(rows + count) - SetD(w.o[1]));
+  const F8 cz = Rounded(LoadD(rows + 2 * count) - SetD(w.o[2]));
+  const F8 radius = Rounded(LoadD(rows + 3 * count));
+  const F8 b = cx * dx + cy * dy + cz * dz;
+  const F8 px = cx - b * dx, py = cy - b * dy, pz = cz - b * dz;
+  const F8 off = (Size(b) + radius) * SetF(2e-6f), reach = radius + off;
+  const F8 squared = px * px + py * py + pz * pz, left = reach * reach - squared;
+  const F8 root = Sqrt(left) + off;
+  const uint32_t out = Less(left, SetF(0)) | Less(SetF(most), b - root) |
+                       Less(b + root, SetF(w.rounded[6] * 0.999999f));
+  return ~out & ((1u << count) - 1);
+}
+
+// A sphere against a ray: the very operations of IntersectSphere (geom/sphere.h), for a hit in
+// (least, limit) and not beyond best.
+RAYSHADE_KERNEL bool MeetSphere(const double* row, int stride, const RayWork& w, double best,
+                                double* distance) {
+  const double cx = row[0] - w.o[0], cy = row[stride] - w.o[1], cz = row[2 * stride] - w.o[2];
+  const double radius = row[3 * stride];
+  const double b = cx * w.d[0] + cy * w.d[1] + cz * w.d[2];
+  const double px = cx - b * w.d[0], py = cy - b * w.d[1], pz = cz - b * w.d[2];
+  const double discriminant = radius * radius - (px * px + py * py + pz * pz);
+  if (!(discriminant >= 0)) return false;
+  const double root = __builtin_sqrt(discriminant), first = b - root, second = b + root;
+  const double s = first > w.least ? first : second;
   *distance = s;
-  return real & Less(least, s) & LessEqual(s, SetD(best)) & Less(s, SetD(w.strict_limit));
+  return s > w.least && s <= best && s < w.strict_limit;
+}
+
+// A ray whose direction is no number comes to empty slots, too.
+RAYSHADE_KERNEL bool HasQuads(LeafKind kind) {
+  return kind == kTriangleLeaf || kind == kPolygonLeaf;
+}
+
+// The objects of a leaf of this kind that the ray may hit not beyond `most` (in single precision,
+// with slack): bits.
+RAYSHADE_KERNEL uint32_t LookIntoLeaf(const TraceView& view, LeafKind kind, uint64_t branch,
+                                      const RayWork& w, float most) {
+  const uint32_t count = CountOf(branch);
+  if (kind == kSphereLeaf && w.sure > 0) {
+    return SpheresOnRay(view.spheres + 4 * static_cast<size_t>(ChildOf(branch)),
+                        static_cast<int>(count), w, most);
+  }
+  if (HasQuads(kind)) return QuadsOnRay(view, branch, w.o, w.d, most);
+  return (1u << count) - 1;
 }
 
 RAYSHADE_KERNEL void NearestInSpheres(const TraceView& view, const RayWork& w, uint32_t first,
-                                      int count, Hit* hit) {
-  D8 distance;
-  uint32_t bits = MeetSpheres(view.spheres + 4 * static_cast<size_t>(first), count, w,
-                              hit->distance, &distance);
-  if (bits == 0) return;
-  alignas(64) double at[8];
-  Store(distance, at);
+                                      int count, uint32_t bits, Hit* hit) {
+  const double* const rows = view.spheres + 4 * static_cast<size_t>(first);
   for (; bits != 0; bits &= bits - 1) {
     const uint32_t lane = static_cast<uint32_t>(__builtin_ctz(bits)), object = first + lane;
-    if (at[lane] > hit->distance) continue;
+    double at;
+    if (!MeetSphere(rows + lane, count, w, hit->distance, &at)) continue;
     const uint32_t rank = view.keys[object].rank;
-    if (at[lane] == hit->distance && rank >= hit->rank) continue;
-    if (!Counts(view, w, at[lane], object)) continue;
-    hit->distance = at[lane];
+    if (at == hit->distance && rank >= hit->rank) continue;
+    if (!Counts(view, w, at, object)) continue;
+    hit->distance = at;
     hit->rank = rank;
     hit->object = object;
   }
@@ -165,36 +198,27 @@ RAYSHADE_KERNEL void NearestInSpheres(const TraceView& view, const RayWork& w, u
 
 // Does an opaque sphere block the ray? Sets *crossed where a transparent one is met.
 RAYSHADE_KERNEL bool SpheresBlock(const TraceView& view, const RayWork& w, uint32_t first,
-                                  int count, double limit, uint8_t* crossed) {
-  D8 distance;
-  uint32_t bits =
-      MeetSpheres(view.spheres + 4 * static_cast<size_t>(first), count, w, limit, &distance);
-  if (bits == 0) return false;
-  alignas(64) double at[8];
-  Store(distance, at);
+                                  int count, uint32_t bits, double limit, uint8_t* crossed) {
+  const double* const rows = view.spheres + 4 * static_cast<size_t>(first);
   for (; bits != 0; bits &= bits - 1) {
     const uint32_t lane = static_cast<uint32_t>(__builtin_ctz(bits)), object = first + lane;
-    if (!Counts(view, w, at[lane], object)) continue;
+    double at;
+    if (!MeetSphere(rows + lane, count, w, limit, &at)) continue;
+    if (!Counts(view, w, at, object)) continue;
     if (IsOpaque(view, object)) return true;
     *crossed = 1;
   }
   return false;
 }
 
-// A ray whose direction is no number comes to empty slots, too.
-RAYSHADE_KERNEL bool HasQuads(uint64_t branch) {
-  return KindOf(branch) == kTriangleLeaf || KindOf(branch) == kPolygonLeaf;
-}
-
-RAYSHADE_KERNEL void NearestInLeaf(const TraceView& view, const RayWork& w, uint64_t branch,
-                                   Hit* hit) {
-  const uint32_t first = ChildOf(branch), count = CountOf(branch);
-  if (KindOf(branch) == kSphereLeaf) {
-    NearestInSpheres(view, w, first, static_cast<int>(count), hit);
+// Tests the objects of a leaf whose bits are set.
+RAYSHADE_KERNEL void NearestInLeaf(const TraceView& view, LeafKind kind, const RayWork& w,
+                                   uint64_t branch, uint32_t bits, Hit* hit) {
+  const uint32_t first = ChildOf(branch);
+  if (kind == kSphereLeaf) {
+    NearestInSpheres(view, w, first, static_cast<int>(CountOf(branch)), bits, hit);
     return;
   }
-  uint32_t bits = (1u << count) - 1;
-  if (HasQuads(branch)) bits = QuadsOnRay(view, branch, w.o, w.d, Loosened(hit->distance));
   for (; bits != 0; bits &= bits - 1) {
     const uint32_t i = first + static_cast<uint32_t>(__builtin_ctz(bits));
     view.callbacks.nearest_other(view.set, *w.ray, i, w.strict_limit, hit);
@@ -208,16 +232,16 @@ RAYSHADE_KERNEL bool OtherBlocks(const TraceView& view, const Ray& ray, uint32_t
   return meeting == Meeting::kOpaque;
 }
 
-RAYSHADE_KERNEL bool LeafBlocks(const TraceView& view, const RayWork& w, uint64_t branch,
-                                double limit, uint8_t* crossed, Counters* counters) {
-  const uint32_t first = ChildOf(branch), count = CountOf(branch);
-  if (KindOf(branch) == kSphereLeaf) {
-    if (!SpheresBlock(view, w, first, static_cast<int>(count), limit, crossed)) return false;
+RAYSHADE_KERNEL bool LeafBlocks(const TraceView& view, LeafKind kind, const RayWork& w,
+                                uint64_t branch, uint32_t bits, double limit, uint8_t* crossed,
+                                Counters* counters) {
+  const uint32_t first = ChildOf(branch);
+  if (kind == kSphereLeaf) {
+    const int count = static_cast<int>(CountOf(branch));
+    if (!SpheresBlock(view, w, first, count, bits, limit, crossed)) return false;
     CountHit(view, first, counters);
     return true;
   }
-  uint32_t bits = (1u << count) - 1;
-  if (HasQuads(branch)) bits = QuadsOnRay(view, branch, w.o, w.d, Loosened(limit));
   for (; bits != 0; bits &= bits - 1) {
     const uint32_t i = first + static_cast<uint32_t>(__builtin_ctz(bits));
     if (!OtherBlocks(view, *w.ray, i, limit, crossed)) continue;

@@ -1,6 +1,8 @@
 // Single rays through the hierarchy, many in turn; part of trace.inl. While a ray's next node or
 // leaf is on its way from memory, the others are at work. What a ray does next cannot be foreseen:
-// it is put on the list of those that do the same, instead of being branched on.
+// it is put on the list of those that do the same, instead of being branched on. A list is worked
+// on in short passes, in which one ray's part depends on no other's: the processor has more of them
+// at work at a time than of a long one.
 //
 //   1. The lowest frame of a stack holds the bottom; the others hold children that were met and
 //   have not been visited, at least one each.
@@ -29,7 +31,7 @@ struct Walker {
   Hit hit;
   Ray own;  // where it is not the caller's
   // More than there can be: what all walkers use most should not share a few sets of the cache.
-  Frame frames[kDepthMax + 7];
+  Frame frames[kDepthMax + 6];
 };
 static_assert(sizeof(Walker) % 4096 == 4 * 64);
 
@@ -55,22 +57,41 @@ RAYSHADE_KERNEL void Pop(Walker* w) {
   Take(frame, static_cast<uint32_t>(__builtin_ctz(w->frames[frame].waiting)), w);
 }
 
-// Visits a node. Next is the nearest of the children that the ray meets (any one, where the walk is
-// not sorted), or if there is none, what waits on the stack.
-RAYSHADE_KERNEL void Descend(const TraceView& view, bool sorted, Walker* w) {
+// What a walker meets where it is: bits of children, or of objects to be tested.
+struct Encounter {
+  Walker* walker;
+  uint32_t met;
+  uint32_t lane;  // of the nearest child (any one, where the walk is not sorted), if there is one
+};
+
+// Looks into a node.
+RAYSHADE_KERNEL Encounter LookIntoNode(const TraceView& view, bool sorted, Walker* w) {
   const Node& node = view.nodes[ChildOf(w->next)];
   F8 entry, end;
   MeetChildren(node, w->slab, w->most, &entry, &end);
   const uint32_t met = LessEqual(entry, end);
-  Frame& f = w->frames[w->top];
-  if (sorted) Store(entry, f.entry);
-  f.branch = node.branch;
-  f.waiting = met;
-  const uint32_t none = met == 0, frame = w->top - none;
-  uint32_t lane = static_cast<uint32_t>(__builtin_ctz(w->frames[frame].waiting));
-  // By bits, or the compiler makes it a branch.
-  if (sorted) lane = (lane & (0 - none)) | (LaneOfLeast(entry, end) & (none - 1));
-  Take(frame, lane, w);
+  if (sorted) Store(entry, w->frames[w->top].entry);
+  return {w, met,
+          sorted ? LaneOfLeast(entry, end) : static_cast<uint32_t>(__builtin_ctz(met | 0x80))};
+}
+
+// Next is the child of the lane, or if none was met, what waits on the stack.
+RAYSHADE_KERNEL void Descend(const TraceView& view, const Encounter& e) {
+  Walker* const w = e.walker;
+  const uint64_t* const branch = view.nodes[ChildOf(w->next)].branch;
+  const uint32_t top = w->top;
+  w->frames[top].branch = branch;
+  // Both are read, and one is chosen by bits, or the compiler makes it a branch.
+  const Frame& below = w->frames[top - 1];
+  const uint64_t none = e.met == 0 ? ~uint64_t{0} : 0;
+  const uint64_t waiting_next = below.branch[__builtin_ctz(below.waiting)];
+  const uint32_t left_below = below.waiting & (below.waiting - 1);
+  const uint32_t left = e.met & ~(1u << e.lane);
+  w->next = (waiting_next & none) | (branch[e.lane] & ~none);
+  const uint32_t waiting = left | (left_below & static_cast<uint32_t>(none));
+  const uint32_t frame = top + static_cast<uint32_t>(none);
+  w->frames[frame].waiting = waiting;
+  w->top = frame + (waiting != 0);
 }
 
 // Takes what is entered beyond `most` off the stack.
@@ -96,27 +117,72 @@ struct Lists {
   Walker* of[kKinds][kWalkers];
   uint32_t count[kKinds] = {};
   const char* base[kKinds];
-  size_t stride[kKinds] = {};
+  uint32_t shift[kKinds] = {};  // of a number, for bytes
 };
 
 RAYSHADE_KERNEL void SetPlaces(const TraceView& view, Lists* lists) {
   for (const char*& base : lists->base) base = reinterpret_cast<const char*>(view.nodes);
-  lists->stride[kInnerNode] = sizeof(Node);
+  lists->shift[kInnerNode] = 8;
   if (view.sphere_count > 0) {
     lists->base[kSphereLeaf] = reinterpret_cast<const char*>(view.spheres);
-    lists->stride[kSphereLeaf] = 4 * sizeof(double);
+    lists->shift[kSphereLeaf] = 5;
   }
 }
 
 RAYSHADE_KERNEL void Enlist(Walker* w, Lists* lists) {
   const LeafKind kind = KindOf(w->next);
   lists->of[kind][lists->count[kind]++] = w;
-  const char* const place = lists->base[kind] + ChildOf(w->next) * lists->stride[kind];
-  for (int line = 0; line < 4; ++line) __builtin_prefetch(place + 64 * line);
+  const char* const place =
+      lists->base[kind] + (static_cast<size_t>(ChildOf(w->next)) << lists->shift[kind]);
+  // An inner node has no count. Lines behind a leaf are not asked for.
+  static_assert(sizeof(Node) == 256 && 4 * sizeof(double) == 32);
+  const uint32_t last = (CountOf(w->next) * 32 - 1) & 255;
+  __builtin_prefetch(place);
+  __builtin_prefetch(place + (last < 64 ? last : 64));
+  __builtin_prefetch(place + (last < 128 ? last : 128));
+  __builtin_prefetch(place + last);
+}
+
+RAYSHADE_KERNEL void VisitNodes(const TraceView& view, bool sorted, Lists* lists,
+                                Counters* counters) {
+  // The list is written again while this is worked on.
+  Encounter at[kWalkers];
+  const uint32_t count = lists->count[kInnerNode];
+  lists->count[kInnerNode] = 0;
+  counters->nodes += count;
+  for (uint32_t i = 0; i < count; ++i) {
+    at[i] = LookIntoNode(view, sorted, lists->of[kInnerNode][i]);
+  }
+  for (uint32_t i = 0; i < count; ++i) Descend(view, at[i]);
+  for (uint32_t i = 0; i < count; ++i) Enlist(at[i].walker, lists);
+}
+
+template <class Job>
+RAYSHADE_KERNEL void VisitLeaves(const TraceView& view, const Job& job, LeafKind kind,
+                                 Lists* lists, Counters* counters) {
+  Walker* at[kWalkers];
+  Encounter tested[kWalkers];
+  const uint32_t count = lists->count[kind];
+  lists->count[kind] = 0;
+  uint32_t tests = 0;
+  for (uint32_t i = 0; i < count; ++i) {
+    Walker* const w = at[i] = lists->of[kind][i];
+    CountTests(view, kind, w->next, 1, counters);
+    const uint32_t bits = LookIntoLeaf(view, kind, w->next, w->work, w->most);
+    tested[tests] = {w, bits, 0};
+    tests += bits != 0;
+    __builtin_prefetch(view.keys + (bits != 0 ? ChildOf(w->next) : 0));
+  }
+  for (uint32_t i = 0; i < tests; ++i) AtLeaf(job, kind, tested[i].met, tested[i].walker);
+  for (uint32_t i = 0; i < count; ++i) {
+    Pop(at[i]);
+    Enlist(at[i], lists);
+  }
 }
 
 // Start(job, k, walker) prepares the ray number k, and is false where there is nothing to walk for;
-// AtLeaf(job, walker) is false where the ray is done; End(job, walker) takes the result.
+// AtLeaf(job, kind, bits, walker) tests objects of a leaf, and empties the stack where the ray is
+// done; End(job, walker) takes the result.
 template <class Job>
 RAYSHADE_KERNEL void Walk(const TraceView& view, const Job& job, uint32_t count,
                           Counters* counters) {
@@ -139,29 +205,10 @@ RAYSHADE_KERNEL void Walk(const TraceView& view, const Job& job, uint32_t count,
       }
     }
     if (at_work == 0) return;
-    // Lists are written again while they are read.
-    const uint32_t at_nodes = lists.count[kInnerNode];
-    counters->nodes += at_nodes;
-    lists.count[kInnerNode] = 0;
-    for (uint32_t i = 0; i < at_nodes; ++i) {
-      Walker* const w = lists.of[kInnerNode][i];
-      Descend(view, Job::kSorted, w);
-      Enlist(w, &lists);
-    }
-    for (int kind = kEmptySlot; kind <= kOtherLeaf; ++kind) {
-      if (kind == kInnerNode) continue;
-      const uint32_t at_leaves = lists.count[kind];
-      lists.count[kind] = 0;
-      for (uint32_t i = 0; i < at_leaves; ++i) {
-        Walker* const w = lists.of[kind][i];
-        CountTests(view, w->next, 1, counters);
-        if (AtLeaf(job, w)) {
-          Pop(w);
-        } else {
-          w->next = kBottom;
-        }
-        Enlist(w, &lists);
-      }
+    VisitNodes(view, Job::kSorted, &lists, counters);
+    VisitLeaves(view, job, kSphereLeaf, &lists, counters);
+    for (const LeafKind kind : {kEmptySlot, kTriangleLeaf, kPolygonLeaf, kOtherLeaf}) {
+      if (lists.count[kind] != 0) VisitLeaves(view, job, kind, &lists, counters);
     }
     ended = lists.count[kAtBottom];
     lists.count[kAtBottom] = 0;
@@ -214,13 +261,12 @@ RAYSHADE_KERNEL bool Start(const NearestJob& job, uint32_t k, Walker* w) {
   if (view.node_count == 0) End(job, w);
   return view.node_count > 0;
 }
-RAYSHADE_KERNEL bool AtLeaf(const NearestJob& job, Walker* w) {
+RAYSHADE_KERNEL void AtLeaf(const NearestJob& job, LeafKind kind, uint32_t bits, Walker* w) {
   const double before = w->hit.distance;
-  NearestInLeaf(job.view, w->work, w->next, &w->hit);
-  if (w->hit.distance == before) return true;
+  NearestInLeaf(job.view, kind, w->work, w->next, bits, &w->hit);
+  if (w->hit.distance == before) return;
   w->most = Loosened(w->hit.distance);
   Prune(w);
-  return true;
 }
 
 RAYSHADE_ROUTINE void NearestOfLone(const TraceView& view, const Ray* rays, Hit* hits,
@@ -265,13 +311,14 @@ RAYSHADE_KERNEL bool Start(const BlockJob<Source>& job, uint32_t k, Walker* w) {
   return view.node_count > 0;
 }
 template <class Source>
-RAYSHADE_KERNEL bool AtLeaf(const BlockJob<Source>& job, Walker* w) {
+RAYSHADE_KERNEL void AtLeaf(const BlockJob<Source>& job, LeafKind kind, uint32_t bits, Walker* w) {
   uint8_t crossed = 0;
   const bool blocks =
-      LeafBlocks(job.view, w->work, w->next, w->work.strict_limit, &crossed, job.counters);
+      LeafBlocks(job.view, kind, w->work, w->next, bits, w->work.strict_limit, &crossed, job.counters);
   if (crossed && job.fate.crossed != nullptr) job.fate.crossed[w->index] = 1;
-  if (blocks) job.fate.blocked[w->index] = 1;
-  return !blocks;
+  if (!blocks) return;
+  job.fate.blocked[w->index] = 1;
+  w->top = 1;  // the bottom
 }
 template <class Source>
 RAYSHADE_KERNEL void End(const BlockJob<Source>&, Walker*) {}

@@ -321,6 +321,39 @@ TEST(ObjectSet, FarOriginsAndHugeObjects) {
   EXPECT_GT(found, 300u);
 }
 
+// Past spheres by as much or as little as rounding can move them, from near and far, and from their
+// own surfaces, where hits begin to count just before or after where a root is.
+TEST(ObjectSet, RaysThatTouchSpheresOrBeginOnThem) {
+  Random random(7);
+  World world;
+  std::vector<SphereSpec> spheres;
+  for (int i = 0; i < 40; ++i) {
+    const double radius = std::pow(10, Uniform(&random, -3, 1));
+    spheres.push_back({radius, RandomPoint(&random, 30)});
+    world.Add(spheres.back());
+  }
+  std::vector<Ray> rays;
+  for (const SphereSpec& sphere : spheres) {
+    const Vector center = sphere.center;
+    for (int i = 0; i < 40; ++i) {
+      const Vector direction = RandomDirection(&random);
+      const Vector across = Normalized(Cross(direction, RandomDirection(&random)));
+      const double off = std::pow(10, Uniform(&random, -17, -4)) * (i % 2 == 0 ? 1 : -1);
+      const Vector touch = center + sphere.radius * (1 + off) * across;
+      const double far = sphere.radius * std::pow(10, Uniform(&random, -2, 5));
+      rays.push_back(MakeRay(touch - far * direction, direction));
+      Ray leaving = MakeRay(center + sphere.radius * across, RandomDirection(&random));
+      const double chord = -2 * sphere.radius * Dot(leaving.direction, across);
+      if (i % 3 != 0) leaving.min_distance = std::max(kEpsilon, chord * (1 + off));
+      rays.push_back(leaving);
+    }
+  }
+  size_t found = 0;
+  Compare(&world, rays, &found);
+  EXPECT_GT(found, 1000u);
+  EXPECT_LT(found, rays.size() - 500);
+}
+
 TEST(ObjectSet, RaysOfAnyLengthAndMinimum) {
   Random random(7);
   World world;
