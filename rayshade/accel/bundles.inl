@@ -14,11 +14,11 @@ constexpr float kWidestShadowBundle = 0.08f;
 constexpr float kWidestShadowGroup = 0.08f;
 constexpr float kWidestGroup = 0.08f;
 // Of neighbouring groups, and of one group with a slope for each ray. Spheres cost a ray that is
-// alone so little that wide pyramids do not pay.
+// alone so little that wide pyramids do not pay, and groups by themselves never do.
 struct ShadowWidths {
   float run, packet;
 };
-constexpr ShadowWidths kWidest = {0.1f, 0.1f}, kWidestAmongSpheres = {0.05f, 0.03f};
+constexpr ShadowWidths kWidest = {0.1f, 0.1f}, kWidestAmongSpheres = {0.03f, 0};
 // Work that a bundle may be for each of its groups.
 constexpr int kNearestPatience = 100;
 constexpr int kBlockPatience = 60;
@@ -238,6 +238,22 @@ RAYSHADE_ROUTINE bool BlockBundle(const TraceView& view, Bundle* b, uint32_t run
   return true;
 }
 
+// Are these rays surely too wide apart for one pyramid? Asks the first, the middle and the last.
+RAYSHADE_KERNEL bool TooWide(const Ray* rays, uint32_t count, double widest) {
+  const Vector first = rays[0].direction;
+  const double a[3] = {first.x, first.y, first.z};
+  const int w = LargestAxis(a), u = w == 0 ? 1 : 0, v = w == 2 ? 1 : 2;
+  bool apart = false;
+  for (const uint32_t i : {count / 2, count - 1}) {
+    const Vector other = rays[i].direction;
+    const double b[3] = {other.x, other.y, other.z};
+    const double scale = a[w] * b[w];  // slopes are compared without a division
+    apart |= !(scale > 0) | (__builtin_fabs(b[u] * a[w] - a[u] * b[w]) > widest * scale) |
+             (__builtin_fabs(b[v] * a[w] - a[v] * b[w]) > widest * scale);
+  }
+  return apart;
+}
+
 RAYSHADE_ROUTINE bool TryNearest(const TraceView& view, const Ray* rays, const double* strict,
                                  Hit* hits, uint32_t count, float widest, Counters* counters) {
   Bundle b;
@@ -301,7 +317,7 @@ RAYSHADE_KERNEL void NearestOfSome(const TraceView& view, const Ray* rays, Hit* 
   double strict[kBundleSize];
   for (uint32_t i = 0; i < count; ++i) strict[i] = StrictLimit(hits[first + i]);
   const auto traced = [&](uint32_t i, uint32_t size, float widest) {
-    return size > 1 &&
+    return size > 1 && !TooWide(rays + first + i, size, widest) &&
            TryNearest(view, rays + first + i, strict + i, hits + first + i, size, widest, counters);
   };
   if (count > 8 && traced(0, count, kWidestBundle)) return;
