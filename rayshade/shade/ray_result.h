@@ -2,6 +2,8 @@
 // (attenuation inside a medium needs it).
 #pragma once
 
+#include <cmath>
+
 #include "rayshade/common/color.h"
 #include "rayshade/common/constants.h"
 
@@ -11,8 +13,7 @@ namespace rayshade {
 // sums, and what is no number 0, as in Rayshade's pictures [rayshade4/1 s.10.2].
 inline Color Bounded(const Color& color) {
   constexpr double kMost = 1e300;
-  const auto size = [](double x) { return x < 0 ? -x : x; };
-  if (size(color.r) + size(color.g) + size(color.b) <= kMost) return color;
+  if (std::abs(color.r) + std::abs(color.g) + std::abs(color.b) <= kMost) return color;
   Color bounded;
   for (int k = 0; k < 3; ++k) {
     const double x = color[k];
