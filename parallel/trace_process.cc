@@ -215,7 +215,7 @@ void TraceProcess::Impl::TakeSamples(RayQueue* rays) {
   samples.erase(samples.begin(), end);
 }
 
-// Appends the rays of a message to a queue; primary rays are made again from their samples.
+// The rays of a message; primary rays are made again from their samples. *to is empty.
 void TraceProcess::Impl::Unpack(const TravellingRays& rays, RayQueue* to) const {
   const auto check = [this](const Travel& travel) {
     if (travel.resume != kNoCell && travel.resume >= tree.size()) {
@@ -223,16 +223,19 @@ void TraceProcess::Impl::Unpack(const TravellingRays& rays, RayQueue* to) const 
     }
     if (travel.back.process > options.processes) throw WireError("a ray of no process");
   };
+  std::vector<Sample> primary;
+  primary.reserve(rays.primary.size());
   for (const PrimaryTravel& p : rays.primary) {
-    Travel travel;
+    Travel& travel = to->travel.emplace_back();
     travel.back = {kHost, p.token};
     travel.resume = p.resume;
     travel.best_distance = p.best_distance;
     travel.best_rank = p.best_rank;
     check(travel);
-    CheckSample(SampleOf(p.token), *camera, scene->settings().samples);
-    to->Push(camera->PrimaryRay(SampleOf(p.token)), {}, travel);
+    primary.push_back(SampleOf(p.token));
+    CheckSample(primary.back(), *camera, scene->settings().samples);
   }
+  camera->AppendPrimaryRays(primary, &to->bundle.rays);
   for (size_t i = 0; i < rays.bundle.size(); ++i) {
     const Ray& ray = rays.bundle.rays[i];
     check(rays.travel[i]);
