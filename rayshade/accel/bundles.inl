@@ -242,7 +242,7 @@ RAYSHADE_ROUTINE bool BlockBundle(const TraceView& view, Bundle* b, uint32_t run
 RAYSHADE_KERNEL bool TooWide(const Ray* rays, uint32_t count, double widest) {
   const Vector first = rays[0].direction;
   const double a[3] = {first.x, first.y, first.z};
-  const int w = LargestAxis(a), u = w == 0 ? 1 : 0, v = w == 2 ? 1 : 2;
+  const int w = LargestAxis(a), u = FirstAcross(w), v = SecondAcross(w);
   bool apart = false;
   for (const uint32_t i : {count / 2, count - 1}) {
     const Vector other = rays[i].direction;

@@ -26,7 +26,8 @@ RAYSHADE_ROUTINE void BlockGroup(const TraceView& view, Bundle* b, int g, const 
     const uint32_t live = e.rays & b->live[g];
     if (live == 0) continue;
     if (KindOf(e.branch) != kInnerNode) {
-      CountTests(view, KindOf(e.branch), e.branch, static_cast<uint32_t>(__builtin_popcount(live)), counters);
+      const auto tested = static_cast<uint32_t>(__builtin_popcount(live));
+      CountTests(view, KindOf(e.branch), e.branch, tested, counters);
       BlockInLeafOfBundle(view, b, {e.branch, 0, 1u << g}, fate, counters);
       continue;
     }

@@ -114,6 +114,10 @@ RAYSHADE_KERNEL int LargestAxis(const double d[3]) {
   return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
 }
 
+// The two other axes, in their order.
+RAYSHADE_KERNEL int FirstAcross(int axis) { return axis == 0 ? 1 : 0; }
+RAYSHADE_KERNEL int SecondAcross(int axis) { return axis == 2 ? 1 : 2; }
+
 // The axis that all directions follow, and their sign along it; false where there is none.
 RAYSHADE_KERNEL bool FindAxis(const Bundle& b, int* axis, double* sign) {
   const double d[3] = {b.d[0][0][0], b.d[1][0][0], b.d[2][0][0]};
@@ -245,8 +249,8 @@ RAYSHADE_ROUTINE bool SurroundRays(const TraceView& view, bool ended, float wide
       for (int k = 0; k < 3; ++k) apex[k] = end[k];
     }
   }
-  b->u = axis == 0 ? 1 : 0;
-  b->v = axis == 2 ? 1 : 2;
+  b->u = FirstAcross(axis);
+  b->v = SecondAcross(axis);
   b->axis = axis;
   b->from_end = from_end;
   FindSlopes(b, axis, sign, from_end ? -1 : 1);

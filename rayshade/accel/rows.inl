@@ -191,8 +191,8 @@ RAYSHADE_ROUTINE void BlockRowsOfBundle(const TraceView& view, const ShadowRows&
     const int g = __builtin_ctz(groups), lane = __builtin_ctz(left[g]);
     const double d[3] = {b.d[0][g][lane], b.d[1][g][lane], b.d[2][g][lane]};
     b.axis = LargestAxis(d);
-    b.u = b.axis == 0 ? 1 : 0;
-    b.v = b.axis == 2 ? 1 : 2;
+    b.u = FirstAcross(b.axis);
+    b.v = SecondAcross(b.axis);
     const double sign = d[b.axis] < 0 ? -1 : 1;
     const uint32_t taken = TakeGroups(groups, b.axis, sign, left, &b);
     if ((taken >> g & 1) != 0) {

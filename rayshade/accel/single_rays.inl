@@ -22,7 +22,8 @@ RAYSHADE_KERNEL uint32_t GeomOf(const TraceView& view, uint32_t object) {
                                     : view.flat->items[object - view.sphere_count].geom;
 }
 
-// So many rays are tested against each object of a leaf.
+// So many rays are tested against each object of a leaf. kind: the branch's, which the compiler
+// knows where a list holds leaves of one kind.
 RAYSHADE_KERNEL void CountTests(const TraceView& view, LeafKind kind, uint64_t branch,
                                 uint32_t rays, Counters* counters) {
   const uint32_t first = ChildOf(branch), count = CountOf(branch);

@@ -10,8 +10,7 @@
 
 constexpr uint32_t kWalkers = 16;
 constexpr int kAtBottom = kOtherLeaf + 1;
-constexpr uint64_t kBottom = uint64_t{kAtBottom} << kKindShift;
-constexpr uint64_t kBottomBranch[] = {kBottom};
+constexpr uint64_t kBottomBranch[] = {uint64_t{kAtBottom} << kKindShift};
 
 // Children of a node that wait.
 struct alignas(64) Frame {
@@ -43,18 +42,14 @@ RAYSHADE_KERNEL void PutAtRoot(double limit, Walker* w) {
   w->top = 1;
 }
 
-// Takes what is visited next off the frame, and the frame off the stack if it was the last.
-RAYSHADE_KERNEL void Take(uint32_t frame, uint32_t lane, Walker* w) {
-  Frame& f = w->frames[frame];
-  const uint32_t waiting = f.waiting & ~(1u << lane);
-  f.waiting = waiting;
-  w->next = f.branch[lane];
-  w->top = frame + (waiting != 0);
-}
-
+// Takes what is visited next off the last frame, and the frame off the stack if it was the last.
 RAYSHADE_KERNEL void Pop(Walker* w) {
   const uint32_t frame = w->top - 1;
-  Take(frame, static_cast<uint32_t>(__builtin_ctz(w->frames[frame].waiting)), w);
+  Frame& f = w->frames[frame];
+  const uint32_t waiting = f.waiting & (f.waiting - 1);
+  w->next = f.branch[__builtin_ctz(f.waiting)];
+  f.waiting = waiting;
+  w->top = frame + (waiting != 0);
 }
 
 // What a walker meets where it is: bits of children, or of objects to be tested.
@@ -313,8 +308,8 @@ RAYSHADE_KERNEL bool Start(const BlockJob<Source>& job, uint32_t k, Walker* w) {
 template <class Source>
 RAYSHADE_KERNEL void AtLeaf(const BlockJob<Source>& job, LeafKind kind, uint32_t bits, Walker* w) {
   uint8_t crossed = 0;
-  const bool blocks =
-      LeafBlocks(job.view, kind, w->work, w->next, bits, w->work.strict_limit, &crossed, job.counters);
+  const bool blocks = LeafBlocks(job.view, kind, w->work, w->next, bits, w->work.strict_limit,
+                                 &crossed, job.counters);
   if (crossed && job.fate.crossed != nullptr) job.fate.crossed[w->index] = 1;
   if (!blocks) return;
   job.fate.blocked[w->index] = 1;
