@@ -28,3 +28,12 @@ RAYSHADE_KERNEL uint32_t RaysAtSeenBox(const Bundle& b, int g, const float (*par
                       SetF(part[b.far_plane][i]), SetF(part[b.u][i]), SetF(part[3 + b.u][i]),
                       SetF(part[b.v][i]), SetF(part[3 + b.v][i]), &depth);
 }
+
+// One child of a node against the rays of a group: bits of the rays.
+RAYSHADE_KERNEL uint32_t RaysAtChild(const Bundle& b, const Slopes<F8>& rays, const Node& node,
+                                     uint32_t i) {
+  F8 depth;
+  return MeetPyramids(b, rays, SetF(node.plane[b.near_plane][i]), SetF(node.plane[b.far_plane][i]),
+                      SetF(node.plane[b.u][i]), SetF(node.plane[3 + b.u][i]),
+                      SetF(node.plane[b.v][i]), SetF(node.plane[3 + b.v][i]), &depth);
+}

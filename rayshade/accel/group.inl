@@ -6,15 +6,6 @@ struct GroupEntry {
   uint32_t rays;  // bits
 };
 
-// One child of a node against the rays of a group: bits of the rays.
-RAYSHADE_KERNEL uint32_t RaysAtChild(const Bundle& b, const Slopes<F8>& rays, const Node& node,
-                                     uint32_t i) {
-  F8 depth;
-  return MeetPyramids(b, rays, SetF(node.plane[b.near_plane][i]), SetF(node.plane[b.far_plane][i]),
-                      SetF(node.plane[b.u][i]), SetF(node.plane[3 + b.u][i]),
-                      SetF(node.plane[b.v][i]), SetF(node.plane[3 + b.v][i]), &depth);
-}
-
 RAYSHADE_ROUTINE void BlockGroup(const TraceView& view, Bundle* b, int g, const Fate& fate,
                                  Counters* counters) {
   GroupEntry stack[kStackSize];
@@ -28,7 +19,7 @@ RAYSHADE_ROUTINE void BlockGroup(const TraceView& view, Bundle* b, int g, const 
     if (KindOf(e.branch) != kInnerNode) {
       const auto tested = static_cast<uint32_t>(__builtin_popcount(live));
       CountTests(view, KindOf(e.branch), e.branch, tested, counters);
-      BlockInLeafOfBundle(view, b, {e.branch, 0, 1u << g}, fate, counters);
+      BlockInLeafOfBundle(view, b, e.branch, 1u << g, fate, counters);
       continue;
     }
     ++counters->nodes;

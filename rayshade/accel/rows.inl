@@ -150,13 +150,14 @@ RAYSHADE_KERNEL void SurroundRun(const TraceView& view, const ShadowRows& rows, 
 RAYSHADE_KERNEL void BlockRuns(const TraceView& view, const ShadowRows& rows, uint32_t groups,
                                double sign, const Fate& fate, uint32_t first, Bundle* b,
                                LoneRays* lone, Counters* counters) {
-  const ShadowWidths& widest = view.flat->items == nullptr ? kWidestAmongSpheres : kWidest;
+  const Togetherness& widest = TogethernessIn(view);
   while (groups != 0) {
     uint32_t run = NarrowRun(groups, widest.run, b);
     groups &= ~run;
     if ((run & (run - 1)) != 0) {
       SurroundRun(view, rows, run, sign, b);
-      if (BlockBundle(view, b, run, fate, counters)) continue;
+      BlockBundle(view, b, run, fate, first, lone, counters);
+      continue;
     }
     for (; run != 0; run &= run - 1) {
       const uint32_t one = NarrowRun(run & -run, widest.run, b);

@@ -11,6 +11,7 @@
 #include "rayshade/accel/filter.inl"
 #include "rayshade/accel/flat_kinds.inl"
 #include "rayshade/accel/bundles.inl"
+#include "rayshade/accel/ray_arrays.inl"
 #include "rayshade/accel/group.inl"
 #include "rayshade/accel/light_rows.inl"
 #include "rayshade/accel/rows.inl"
@@ -58,7 +59,7 @@ void BlockRows(const TraceView& view, const ShadowRows& rows, OpCounts* counts) 
     BlockRowsOfBundle(view, rows, i, size, &lone, &counters);
     if (lone.count <= kLoneMost - kBundleSize && i + size < rows.count) continue;
     BlockLoneOfRows(view, rows, lone, &counters);
-    lone.count = 0;
+    lone.Clear();
   }
   AddTo(counts, counters);
 }

@@ -19,6 +19,35 @@ struct alignas(64) Frame {
   uint32_t waiting;         // bits
 };
 
+// What a bundle that gave up had not visited: children of nodes, the nearest first, eight a row.
+constexpr uint32_t kUnvisitedRows = 8;
+struct Unvisited {
+  uint64_t branch[kUnvisitedRows][kNodeWidth];
+  alignas(32) float entry[kUnvisitedRows][kNodeWidth];
+};
+
+// A ray of an array that is traced by itself.
+struct LoneRay {
+  uint32_t index;
+  double limit;           // that of hits of strict kinds, or of all
+  const Unvisited* rest;  // null: it has everything before it
+  uint64_t met;           // bits, of what of the rest it meets
+};
+
+constexpr uint32_t kLoneMost = 512;
+constexpr uint32_t kRestsMost = 16;
+struct LoneRays {
+  LoneRay rays[kLoneMost];
+  uint32_t count = 0;
+  Unvisited rests[kRestsMost];
+  uint32_t rest_count = 0;
+
+  void Append(uint32_t index, double limit, const Unvisited* rest = nullptr, uint64_t met = 0) {
+    rays[count++] = {index, limit, rest, met};
+  }
+  void Clear() { count = rest_count = 0; }
+};
+
 // One ray in work.
 struct Walker {
   SlabRay slab;
@@ -30,17 +59,9 @@ struct Walker {
   Hit hit;
   Ray own;  // where it is not the caller's
   // More than there can be: what all walkers use most should not share a few sets of the cache.
-  Frame frames[kDepthMax + 6];
+  Frame frames[kDepthMax + 6 + kUnvisitedRows];
 };
-static_assert(sizeof(Walker) % 4096 == 4 * 64);
-
-RAYSHADE_KERNEL void PutAtRoot(double limit, Walker* w) {
-  w->most = Loosened(limit);
-  w->next = MakeBranch(kInnerNode, 0, 0);
-  w->frames[0].branch = kBottomBranch;
-  w->frames[0].waiting = 1;
-  w->top = 1;
-}
+static_assert(sizeof(Walker) % 512 == 4 * 64);
 
 // Takes what is visited next off the last frame, and the frame off the stack if it was the last.
 RAYSHADE_KERNEL void Pop(Walker* w) {
@@ -50,6 +71,24 @@ RAYSHADE_KERNEL void Pop(Walker* w) {
   w->next = f.branch[__builtin_ctz(f.waiting)];
   f.waiting = waiting;
   w->top = frame + (waiting != 0);
+}
+
+// limit: the distance beyond which nothing matters.
+RAYSHADE_KERNEL void PutAtBeginning(const LoneRay& lone, double limit, Walker* w) {
+  w->most = Loosened(limit);
+  w->frames[0].branch = kBottomBranch;
+  w->frames[0].waiting = 1;
+  w->top = 1;
+  w->next = MakeBranch(kInnerNode, 0, 0);
+  if (lone.rest == nullptr) return;
+  for (uint32_t row = kUnvisitedRows; row-- > 0;) {
+    Frame& f = w->frames[w->top];
+    f.waiting = static_cast<uint32_t>(lone.met >> 8 * row) & 0xff;
+    f.branch = lone.rest->branch[row];
+    Store(LoadF(lone.rest->entry[row]), f.entry);
+    w->top += f.waiting != 0;
+  }
+  Pop(w);
 }
 
 // What a walker meets where it is: bits of children, or of objects to be tested.
@@ -153,8 +192,8 @@ RAYSHADE_KERNEL void VisitNodes(const TraceView& view, bool sorted, Lists* lists
 }
 
 template <class Job>
-RAYSHADE_KERNEL void VisitLeaves(const TraceView& view, const Job& job, LeafKind kind,
-                                 Lists* lists, Counters* counters) {
+RAYSHADE_KERNEL void VisitLeaves(const TraceView& view, const Job& job, LeafKind kind, Lists* lists,
+                                 Counters* counters) {
   Walker* at[kWalkers];
   Encounter tested[kWalkers];
   const uint32_t count = lists->count[kind];
@@ -211,20 +250,6 @@ RAYSHADE_KERNEL void Walk(const TraceView& view, const Job& job, uint32_t count,
   }
 }
 
-// A ray of an array that is traced by itself. limit: that of hits of strict kinds, or of all.
-struct LoneRay {
-  uint32_t index;
-  double limit;
-};
-
-constexpr uint32_t kLoneMost = 512;
-struct LoneRays {
-  LoneRay rays[kLoneMost];
-  uint32_t count = 0;
-
-  void Append(uint32_t index, double limit) { rays[count++] = {index, limit}; }
-};
-
 // Improves the rays' hits.
 struct NearestJob {
   static constexpr bool kSorted = true;
@@ -243,16 +268,17 @@ RAYSHADE_KERNEL void End(const NearestJob& job, Walker* w) {
 }
 RAYSHADE_KERNEL bool Start(const NearestJob& job, uint32_t k, Walker* w) {
   const TraceView& view = job.view;
-  const Ray& ray = job.rays[job.lone[k].index];
-  w->index = job.lone[k].index;
+  const LoneRay& lone = job.lone[k];
+  const Ray& ray = job.rays[lone.index];
+  w->index = lone.index;
   w->hit = job.hits[w->index];
   SetUp(view, ray, &w->work, &w->slab);
-  w->work.strict_limit = job.lone[k].limit;
-  for (uint32_t i = 0; i < view.unbounded_count; ++i) {
-    view.callbacks.nearest_other(view.set, ray, view.unbounded[i], job.lone[k].limit, &w->hit);
+  w->work.strict_limit = lone.limit;
+  for (uint32_t i = 0; lone.rest == nullptr && i < view.unbounded_count; ++i) {
+    view.callbacks.nearest_other(view.set, ray, view.unbounded[i], lone.limit, &w->hit);
     CountTest(view, view.unbounded[i], 1, job.counters);
   }
-  PutAtRoot(w->hit.distance, w);
+  PutAtBeginning(lone, w->hit.distance, w);
   if (view.node_count == 0) End(job, w);
   return view.node_count > 0;
 }
@@ -288,21 +314,21 @@ struct BlockJob {
 template <class Source>
 RAYSHADE_KERNEL bool Start(const BlockJob<Source>& job, uint32_t k, Walker* w) {
   const TraceView& view = job.view;
-  const auto [index, limit] = job.lone[k];
-  const Ray& ray = LoadLone(job.source, index, w);
-  w->index = index;
+  const LoneRay& lone = job.lone[k];
+  const Ray& ray = LoadLone(job.source, lone.index, w);
+  w->index = lone.index;
   uint8_t crossed = 0;
-  for (uint32_t i = 0; i < view.unbounded_count; ++i) {
+  for (uint32_t i = 0; lone.rest == nullptr && i < view.unbounded_count; ++i) {
     CountTest(view, view.unbounded[i], 1, job.counters);
-    if (!OtherBlocks(view, ray, view.unbounded[i], limit, &crossed)) continue;
+    if (!OtherBlocks(view, ray, view.unbounded[i], lone.limit, &crossed)) continue;
     CountHit(view, view.unbounded[i], job.counters);
-    job.fate.blocked[index] = 1;
+    job.fate.blocked[lone.index] = 1;
     return false;
   }
-  if (crossed && job.fate.crossed != nullptr) job.fate.crossed[index] = 1;
+  if (crossed && job.fate.crossed != nullptr) job.fate.crossed[lone.index] = 1;
   SetUp(view, ray, &w->work, &w->slab);
-  w->work.strict_limit = limit;
-  PutAtRoot(limit, w);
+  w->work.strict_limit = lone.limit;
+  PutAtBeginning(lone, lone.limit, w);
   return view.node_count > 0;
 }
 template <class Source>

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/accel/compare.h"
 #include "tests/accel/world.h"
 #include "tests/support/kernels.h"
 #include "tests/support/random.h"
@@ -20,6 +21,8 @@ namespace {
 
 using test::AddFlat;
 using test::AddSpheres;
+using test::CameraRays;
+using test::Compare;
 using test::kAllKernels;
 using test::MakeRay;
 using test::Random;
@@ -30,64 +33,10 @@ using test::World;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Everything that a set answers about these rays, on all kernels, against the list.
-void Compare(World* world, const std::vector<Ray>& rays, size_t* found = nullptr) {
-  std::vector<Hit> expected(rays.size());
-  std::vector<double> limits(rays.size());
-  std::vector<uint8_t> blocked(rays.size());
-  size_t hits = 0;
-  for (size_t i = 0; i < rays.size(); ++i) {
-    expected[i] = world->NearestInList(rays[i], Hit{});
-    hits += expected[i].found();
-    limits[i] = i % 3 == 0 ? kFar : expected[i].distance * (i % 3 == 1 ? 1 : 1.25);
-    blocked[i] = world->BlockedInList(rays[i], limits[i]);
-  }
-  if (found) *found = hits;
-  for (const char* simd : kAllKernels) {
-    world->Build(simd);
-    for (const size_t bundle :
-         {size_t{1}, size_t{3}, size_t{16}, size_t{64}, size_t{100}, size_t{1024}}) {
-      std::vector<Hit> got(rays.size());
-      std::vector<uint8_t> shadow(rays.size());
-      OpCounts counts;
-      for (size_t i = 0; i < rays.size(); i += bundle) {
-        const size_t n = std::min(bundle, rays.size() - i);
-        world->set().Nearest({rays.data() + i, n}, {got.data() + i, n}, &counts);
-        world->set().Block({rays.data() + i, n}, {limits.data() + i, n}, {shadow.data() + i, n},
-                           &counts);
-      }
-      for (size_t i = 0; i < rays.size(); ++i) {
-        ASSERT_EQ(got[i].distance, expected[i].distance)
-            << simd << " ray " << i << " of " << bundle;
-        ASSERT_EQ(got[i].rank, expected[i].rank) << simd << " ray " << i << " of " << bundle;
-        ASSERT_EQ(shadow[i], blocked[i]) << simd << " shadow ray " << i << " of " << bundle;
-        if (got[i].found()) {
-          ASSERT_EQ(got[i].set, &world->set());
-          ASSERT_EQ(world->set().entry(got[i].object).rank, got[i].rank);
-        }
-      }
-    }
-  }
-}
-
 std::vector<Ray> RandomRays(Random* random, int count, double size, const Vector& at = {}) {
   std::vector<Ray> rays;
   for (int i = 0; i < count; ++i) {
     rays.push_back(MakeRay(at + RandomPoint(random, size * 1.5), RandomDirection(random)));
-  }
-  return rays;
-}
-
-// A camera's rays, in square blocks.
-std::vector<Ray> CameraRays(const Vector& eye, const Vector& at, int side) {
-  std::vector<Ray> rays;
-  const Vector forward = Normalized(at - eye), right = Normalized(Cross(forward, {0, 0, 1}));
-  const Vector up = Cross(right, forward);
-  for (int y = 0; y < side; ++y) {
-    for (int x = 0; x < side; ++x) {
-      const double u = (x + 0.5) / side - 0.5, v = 0.5 - (y + 0.5) / side;
-      rays.push_back(MakeRay(eye, Normalized(forward + u * right + v * up)));
-    }
   }
   return rays;
 }
@@ -118,36 +67,6 @@ TEST(ObjectSet, FindsWhatAListOfAllKindsFinds) {
   size_t found = 0;
   Compare(&world, RandomRays(&random, 1200, 10), &found);
   EXPECT_GT(found, 600u);
-}
-
-TEST(ObjectSet, CameraRaysInBundlesFindWhatSingleRaysFind) {
-  Random random(7);
-  World world;
-  AddSpheres(&world, &random, 500, 10);
-  AddFlat(&world, &random, 100, 10);
-  Compare(&world, CameraRays({22, 13, 17}, {0, 0, 0}, 40));
-  Compare(&world, CameraRays({0.5, 0.25, 0.125}, {1, 1, 0}, 40));  // from within
-}
-
-TEST(ObjectSet, RaysTowardsALightInBundles) {
-  Random random(7);
-  World world;
-  AddSpheres(&world, &random, 400, 10);
-  AddFlat(&world, &random, 100, 10);
-  world.Build("plain");
-  std::vector<Ray> primary = CameraRays({22, 13, 17}, {0, 0, 0}, 40), shadow;
-  std::vector<Hit> hits(primary.size());
-  OpCounts counts;
-  world.set().Nearest(primary, hits, &counts);
-  const Vector light{9, -30, 14};
-  for (size_t i = 0; i < primary.size(); ++i) {
-    if (!hits[i].found()) continue;
-    const Vector p = primary[i].origin + hits[i].distance * primary[i].direction;
-    shadow.push_back(MakeRay(p, Normalized(light - p)));
-    shadow.back().min_distance = kShadowEpsilon;
-  }
-  ASSERT_GT(shadow.size(), 200u);
-  Compare(&world, shadow);
 }
 
 // Points, normals and what Aim makes of them, padded to groups of eight.
