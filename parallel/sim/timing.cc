@@ -13,12 +13,15 @@ double UnitOf(uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1.0p-5
 
 double Difference(uint64_t after, uint64_t before) { return static_cast<double>(after - before); }
 
+double RaysBetween(const WorkDone& before, const WorkDone& after) {
+  return Difference(after.counts.total_rays(), before.counts.total_rays());
+}
+
 // Rays, operations and objects of `after` that are not in `before`.
 double CostBetween(const Machine& m, const WorkDone& before, const WorkDone& after) {
   const OpCounts &a = before.counts, &b = after.counts;
   const double operations =
-      m.ray * Difference(b.total_rays(), a.total_rays()) +
-      m.node_visit * Difference(b.node_visits, a.node_visits) +
+      m.ray * RaysBetween(before, after) + m.node_visit * Difference(b.node_visits, a.node_visits) +
       m.primitive_test * Difference(b.primitive_tests, a.primitive_tests) +
       m.cell_step * Difference(b.cell_steps, a.cell_steps) +
       m.cell_test * Difference(b.cell_tests, a.cell_tests) +
@@ -56,7 +59,9 @@ size_t MachineTiming::NodeOf(ProcessId process) const {
 
 double MachineTiming::StepSeconds(ProcessId, const WorkDone& before, const WorkDone& after) {
   random_ = MixBits(random_);
-  return (machine_.step + CostBetween(machine_, before, after)) *
+  const double besides = machine_.slowness * machine_.node_slowness * machine_.process_ray *
+                         RaysBetween(before, after);
+  return (machine_.step + CostBetween(machine_, before, after) + besides) *
          (1 + machine_.jitter * UnitOf(random_));
 }
 

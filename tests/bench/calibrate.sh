@@ -2,17 +2,18 @@
 # `make calibrate`: measures this machine for the simulator: calibrate.sh BUILD [operations|contention|messages|machines]
 # (all four, in turn, unless one is named):
 #   1. operations: sequential runs of eight scenes, and the steps of host and trace processes without PVM (step_costs),
-#      unit costs by least squares (fit.awk);
+#      unit costs by least squares (fit.awk); with the kernels for this processor, and with the plain ones for machines
+#      that have no vector instructions;
 #   2. contention: two sequential runs side by side against one;
 #   3. messages: ping_pong over PVM, by the project's own transport;
 #   4. machines: writes BUILD/this.machine, which `make agreement` uses, brings the lines of parallel/sim/machines/*.machine
 #      that are tagged `measured` up to date, and fits powerxplorer's slowness anew.
-# CALIBRATE_ROUNDS (default 3): the least time counts. Operations and contention are in processor time: other programs that
+# CALIBRATE_ROUNDS (default 5): the least time counts. Operations and contention are in processor time: other programs that
 # run meanwhile do not count, though they do share caches and memory.
 set -u
 cd "$(dirname "$0")/../.." || exit 2
 build=$(cd "$1" && pwd) || exit 2
-phase=${2:-all} rounds=${CALIBRATE_ROUNDS:-3} out=$build/calibrate machines=parallel/sim/machines
+phase=${2:-all} rounds=${CALIBRATE_ROUNDS:-5} out=$build/calibrate machines=parallel/sim/machines
 mkdir -p "$out" || exit 1
 fail() { echo "calibrate: $*" >&2; exit 1; }
 wanted() { [ "$phase" = all ] || [ "$phase" = "$1" ]; }
@@ -28,22 +29,25 @@ echo "$view sphere s .001 0 0 3" >"$out/sky.ray"
 echo "$view plane s 0 0 -1 0 -.7 1" >"$out/plane.ray"
 { echo "$view"; for i in {1..30}; do echo "light .03 point $i 1 20"; done; echo "plane s 0 0 -1 0 -.7 1"; } >"$out/lights.ray"
 
-measure_operations() {
-  "$build/step_costs" >"$out/runs.txt" || fail "step_costs"
-  for scene in sky plane lights balls4 balls5 balls6 room8 room30; do
-    for pixels in 256 512; do
-      least=
-      for ((i = 0; i < rounds; i++)); do
-        { time "$build/rayshade" -q -R $pixels $pixels --stats "$out/run.json" -O "$out/run.png" "$out/$scene.ray"; } 2>"$out/run.time" || fail "$scene"
-        seconds=$(awk -v seconds="$(value "$out/run.json" trace_seconds)" '{ print seconds * ($2 + $3) / $1 }' "$out/run.time")
-        least=$(awk -v a="$seconds" -v b="${least:-$seconds}" 'BEGIN { print a < b ? a : b }')
-      done
-      line="$scene-$pixels $least $(value "$out/run.json" rays.total)"
-      for name in node_visits primitive_tests cell_steps cell_tests shades light_samples; do line="$line $(value "$out/run.json" operations.$name)"; done
-      echo "$line 0 0 0 $((2 * $(value "$out/run.json" rays.primary))) 0 0" >>"$out/runs.txt"
-    done
-  done
+# Of the lines on standard input, for each name (the first field) that with the least time (the second).
+least() { awk '!($1 in least) || $2 < least[$1] { least[$1] = $2; line[$1] = $0 } END { for (name in line) print line[name] }' | sort; }
+
+sequential_run() { # SCENE PIXELS: a line for fit.awk
+  local line seconds name
+  { time "$build/rayshade" -q -R "$2" "$2" --stats "$out/run.json" -O "$out/run.png" "$out/$1.ray"; } 2>"$out/run.time" || fail "$1"
+  seconds=$(awk -v seconds="$(value "$out/run.json" trace_seconds)" '{ print seconds * ($2 + $3) / $1 }' "$out/run.time")
+  line="$1-$2 $seconds $(value "$out/run.json" rays.total)"
+  for name in node_visits primitive_tests cell_steps cell_tests shades light_samples; do line="$line $(value "$out/run.json" operations.$name)"; done
+  echo "$line 0 0 0 $((2 * $(value "$out/run.json" rays.primary))) 0 0 0"
+}
+# Rounds, not runs of one scene, follow each other: where the machine is slow for a while, all are.
+measure_operations() { # FILE: for fit.awk
+  local i scene pixels schedule processes
+  "$build/step_costs" >"$1" || fail "step_costs"
   for ((i = 0; i < rounds; i++)); do
+    for scene in sky plane lights balls4 balls5 balls6 room8 room30; do
+      for pixels in 256 512; do sequential_run $scene $pixels; done
+    done
     for scene in lights balls4 balls5 balls6 room8; do
       for schedule in data-parallel hybrid; do
         for processes in 1 3; do
@@ -51,11 +55,8 @@ measure_operations() {
         done
       done
     done
-  done | awk '/^lights-.*-build/ { next }  # nothing is distributed there
-    !($1 in least) || $2 < least[$1] { least[$1] = $2; line[$1] = $0 } END { for (name in line) print line[name] }' |
-    sort >>"$out/runs.txt"
-  [ "${PIPESTATUS[0]}" = 0 ] || exit 1
-  awk -f tests/bench/fit.awk "$out/runs.txt" >"$out/operations.txt" || fail "fit.awk"
+  done >"$out/rounds.txt"
+  grep -v '^lights-.*-build' "$out/rounds.txt" | least >>"$1"  # there nothing is distributed
 }
 
 # Contention: processor time of two sequential runs side by side, against that of one.
@@ -69,8 +70,9 @@ processor_seconds() { # SCENE N: of N runs at once, each
   } 2>&1 | awk -v n="$2" '{ print ($2 + $3) / n }'
 }
 measure_contention() {
-  for scene in balls5 balls6 room8; do
-    for ((i = 0; i < rounds; i++)); do
+  local i scene
+  for ((i = 0; i < rounds; i++)); do
+    for scene in balls5 balls6 room8; do
       echo "$scene $(processor_seconds "$scene" 1) $(processor_seconds "$scene" 2)"
     done
   done | awk -v processors="$(nproc)" '
@@ -86,20 +88,26 @@ measure_messages() {
   local i
   for ((i = 0; i < rounds; i++)); do
     pvm_conf/private-vm "$build/ping_pong" || fail "ping_pong"
-  done | awk '!($1 in least) || $2 < least[$1] { least[$1] = $2 } END { for (name in least) print name, least[name] }' >"$out/messages.txt"
+  done | least >"$out/messages.txt"
   [ "${PIPESTATUS[0]}" = 0 ] || exit 1
 }
 
-! wanted operations || measure_operations || exit 1
+if wanted operations; then
+  measure_operations "$out/runs.txt" && RAYSHADE_SIMD=plain measure_operations "$out/plain_runs.txt" || exit 1
+fi
 ! wanted contention || measure_contention || exit 1
 ! wanted messages || measure_messages || exit 1
 wanted machines || exit 0
 # A byte costs its encoding and its way through PVM.
-awk '{ cost[$1] = $2 }
-  END {
-    cost["pack"] += cost["send_byte"]; cost["unpack"] += cost["receive_byte"]
-    for (name in cost) if (name !~ /_byte$/) print name, cost[name]
-  }' "$out/operations.txt" "$out/contention.txt" "$out/messages.txt" | sort >"$out/costs.txt" || exit 1
+costs() { # RUNS
+  awk -f tests/bench/fit.awk "$1" >"$out/operations.txt" || fail "fit.awk"
+  awk '{ cost[$1] = $2 }
+    END {
+      cost["pack"] += cost["send_byte"]; cost["unpack"] += cost["receive_byte"]
+      for (name in cost) if (name !~ /_byte$/) print name, cost[name]
+    }' "$out/operations.txt" "$out/contention.txt" "$out/messages.txt" | sort
+}
+costs "$out/runs.txt" >"$out/costs.txt" && costs "$out/plain_runs.txt" >"$out/plain_costs.txt" || exit 1
 
 # This machine.
 awk -v processors="$(nproc)" -v memory="$(awk '/^MemTotal/ { printf "%.0f", 1024 * $2 }' /proc/meminfo)" '
@@ -115,7 +123,8 @@ cat "$build/this.machine"
 
 # The project's machines: values of lines tagged `measured`; columns stay where they are.
 for file in "$machines"/*.machine; do
-  awk -v measured="$out/costs.txt" '
+  [[ $file = */powerxplorer.machine ]] && measured=$out/plain_costs.txt || measured=$out/costs.txt
+  awk -v measured="$measured" '
     BEGIN { while ((getline line < measured) > 0) { split(line, part, " "); cost[part[1]] = part[2] } }
     ($1 in cost) && $3 == "measured" { sub(/[^ ]+ */, sprintf("%-16s ", $1)); sub(/ [^ ]+ +[a-z]+/, sprintf(" %-10s %s", cost[$1], $3)) }
     { print }' "$file" >"$out/new.machine" && cp "$out/new.machine" "$file" || fail "$file"
@@ -124,5 +133,5 @@ file=$machines/powerxplorer.machine
 "$build/prayshade-sim" -q --machine "$file" --processes 32 --stats "$out/run.json" -O "$out/run.png" scenes/balls5.ray || fail "prayshade-sim"
 slowness=$(awk -v told="$(value "$out/run.json" sequential_seconds)" '
   $1 == "slowness" { slowness = $2 } $1 == "node_slowness" { node = $2 } END { printf "%.4g", slowness * node * 34.5 / told }' "$file")
-sed -i -E "s/^(slowness +)[^ ]+/\1$slowness/" "$file"
+sed -i -E "s/^(slowness +)[^ ]+ +/\1$(printf '%-11s' "$slowness")/" "$file"
 echo "powerxplorer: slowness $slowness, fitted to the sequential time of balls5 in table 1, 34.5 s"

@@ -25,7 +25,7 @@ namespace {
 
 constexpr char kNames[] =
     "ray node_visit primitive_test cell_step cell_test shade light_sample object fetched_object "
-    "lent_object sample pack unpack";
+    "lent_object sample pack unpack process_ray";
 
 struct Done {
   double seconds = 0;
@@ -109,7 +109,7 @@ void Print(const std::string& name, const Done& done) {
   for (const uint64_t n :
        {c.total_rays(), c.node_visits, c.primitive_tests, c.cell_steps, c.cell_tests, c.shades,
         c.light_samples, done.work.objects_taken, done.work.objects_fetched, done.work.objects_lent,
-        done.work.samples, done.packed, done.unpacked})
+        done.work.samples, done.packed, done.unpacked, c.total_rays()})
     std::printf(" %llu", static_cast<unsigned long long>(n));
   std::printf("\n");
 }

@@ -91,7 +91,7 @@ TEST(PaperSection6, HybridBeatsDataParallelFromEightProcessesOn) {
 // "The processors that have only a few data parallel tasks, receive a large number of demand driven
 // rays and vice versa." Figure 7. Tolerance: a correlation below -0.5.
 TEST(PaperSection6, DemandDrivenRaysComplementTheDataParallelOnes) {
-  const SimulatedRun run = Simulate(kBalls, 128, Schedule::kHybrid, 16);
+  const SimulatedRun run = Simulate(kBalls, 256, Schedule::kHybrid, 16);
   EXPECT_LT(Correlation(
                 run, [](const Statistics& s) { return s.data_rays + s.counts.hits; },
                 [](const Statistics& s) { return s.demand_rays; }),

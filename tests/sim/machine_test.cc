@@ -80,6 +80,20 @@ TEST(Machine, ANodeIsSlowerThanTheProcessorOfTheSequentialTimes) {
   EXPECT_DOUBLE_EQ(CostOf(machine, work), 2 * before);
 }
 
+// The sequential renderer keeps no rays.
+TEST(Machine, ARayCostsATraceProcessMoreThanTheSequentialRenderer) {
+  Machine machine = FindMachine("cluster-1g");
+  machine.slowness = 3;
+  machine.step = 0;
+  machine.jitter = 0;
+  machine.ray = 1;
+  machine.process_ray = 10;
+  WorkDone work;
+  work.counts.reflected_rays = 2;
+  EXPECT_DOUBLE_EQ(CostOf(machine, work), 6);
+  EXPECT_DOUBLE_EQ(MachineTiming(machine, 2, 1).StepSeconds(1, {}, work), 66);
+}
+
 // What is fetched while tracing, at both ends, does not cost what was stored before.
 TEST(Machine, StoredFetchedAndLentObjectsHaveCostsOfTheirOwn) {
   Machine machine = FindMachine("cluster-1g");
