@@ -4,9 +4,9 @@
 # (all three, in turn, unless one is named). Prints each comparison with its bar; the status is 0 where all are met.
 # AGREEMENT_ROUNDS (default 3): real figures are the medians of so many runs, with the least and the largest behind them where
 # they differ. AGREEMENT_PIXELS (default 512).
-# A shared machine is not equally fast all the time: each run has a sequential run of balls4 before and behind it, of which make
-# calibrate has measured the time as well, and its own time is taken in proportion. Where other programs take over a fifth of a
-# processor during these, the run is made again, AGREEMENT_TRIES times (default 3) at most; what remains disturbed is counted.
+# A shared machine is not equally fast all the time: each run has a sequential run of balls4 before and behind it, and its own
+# time is taken in proportion to what the simulator tells of that one. Where other programs take over a fifth of a processor
+# during these, the run is made again, AGREEMENT_TRIES times (default 3) at most; what remains disturbed is counted.
 set -u
 cd "$(dirname "$0")/../.." || exit 2
 build=$(cd "$1" && pwd) || exit 2
@@ -41,8 +41,7 @@ beside() {
     '{ print seconds, (used - before - $2 - $3) / $1 }' "$out/beside.time"
 }
 measure() {
-  local name=$1 scene=$2 i try calibrated before after; shift 2
-  calibrated=$(awk '$1 == "balls4-512" { print $2 }' "$build/calibrate/runs.txt")
+  local name=$1 scene=$2 i try before after; shift 2
   for ((i = 1; i <= rounds; i++)); do
     for ((try = 1; try <= tries; try++)); do
       before=$(beside) || exit 1
@@ -50,9 +49,8 @@ measure() {
       after=$(beside) || exit 1
       awk -v a="${before#* }" -v b="${after#* }" 'BEGIN { exit !(a <= .2 && b <= .2) }' && break
     done
-    awk -v seconds="$(value "$out/$name.$i.json" trace_seconds)" -v a="${before% *}" -v b="${after% *}" -v calibrated="$calibrated" \
-      -v disturbed=$((try > tries)) \
-      'BEGIN { printf "%.6f %.6f %s\n", seconds * calibrated / ((a + b) / 2), seconds, disturbed ? "disturbed" : "alone" }' >>"$out/$name.times"
+    awk -v seconds="$(value "$out/$name.$i.json" trace_seconds)" -v a="${before% *}" -v b="${after% *}" -v disturbed=$((try > tries)) \
+      'BEGIN { printf "%.6f %.6f %s\n", seconds / ((a + b) / 2), seconds, disturbed ? "disturbed" : "alone" }' >>"$out/$name.times"
   done
 }
 simulate() {
@@ -76,7 +74,7 @@ bar() { # bar NAME WHAT REAL... SIMULATED PERCENT: as many real figures as there
 }
 compare() {
   local name=$1 key percent=10
-  bar "$name" trace_seconds $(awk '{ print $1 }' "$out/$name.times") "$(value "$out/$name-sim.json" trace_seconds)" 20
+  bar "$name" trace_seconds $(awk -v told="$(value "$out/beside-sim.json" sequential_seconds)" '{ print told * $1 }' "$out/$name.times") "$(value "$out/$name-sim.json" trace_seconds)" 20
   [[ $name != *data-parallel* ]] || percent=0
   for key in rays.primary rays.shadow rays.reflected operations.hits operations.shadow_hits forwarded_rays; do
     bar "$name" "${key#*.}" $(of_rounds value "$name" $key) "$(value "$out/$name-sim.json" $key)" $percent
@@ -100,7 +98,9 @@ if [ "$phase" = all ] || [ "$phase" = measure ]; then
   [ -n "${PVM_VMID:-}" ] || export PVM_VMID=agreement$$
   each measure
 fi
-if [ "$phase" = all ] || [ "$phase" = simulate ]; then each simulate; fi
+if [ "$phase" = all ] || [ "$phase" = simulate ]; then
+  cp "$build/calibrate/balls4.ray" "$out/beside.ray" && simulate beside beside --processes 1 -q -R 512 512 && each simulate
+fi
 if [ "$phase" = all ] || [ "$phase" = compare ]; then
   printf '%-26s %-14s %12s %12s %8s\n' run what real simulated off
   each compare
