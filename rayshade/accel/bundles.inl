@@ -117,13 +117,14 @@ RAYSHADE_KERNEL BundleEntry* PushMet(const TraceView& view, const Bundle& b, uin
   const Node& node = view.nodes[ChildOf(branch)];
   const bool one = (entering & (entering - 1)) == 0;
   F8 depths;
-  uint32_t bits = ChildrenInPyramid(b, node, one ? __builtin_ctz(entering) : -1, &depths);
+  uint32_t bits = BoxesInPyramid(b, node.plane, one ? __builtin_ctz(entering) : -1, &depths);
   alignas(32) float depth[8];
   Store(depths, depth);
   BundleEntry* const bottom = top;
   for (; bits != 0; bits &= bits - 1) {
     const uint32_t i = static_cast<uint32_t>(__builtin_ctz(bits));
-    const uint32_t groups = one ? entering : entering & GroupsAtChild(b, node, i);
+    const uint32_t groups =
+        one ? entering : entering & PyramidsAtBox(b, GroupsAsPyramids(b), node.plane, i);
     if (groups == 0) continue;
     const BundleEntry child{&node, depth[i], static_cast<uint16_t>(i),
                             static_cast<uint16_t>(groups)};
@@ -157,7 +158,7 @@ RAYSHADE_ROUTINE void LeaveToRays(const Bundle& b, uint32_t groups, const Bundle
     for (uint32_t k = 0; fits && k < count; ++k) {
       const BundleEntry& e = top[-1 - static_cast<int>(k)];
       if ((e.groups >> g & 1) == 0) continue;
-      const uint32_t bits = RaysAtChild(b, rays, *e.parent, e.lane);
+      const uint32_t bits = PyramidsAtBox(b, rays, e.parent->plane, e.lane);
       for (uint32_t i = 0; i < 8; ++i) met[i] |= uint64_t{bits >> i & 1} << k;
     }
     for (uint32_t live = b.live[g]; live != 0; live &= live - 1) {

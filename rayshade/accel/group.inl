@@ -25,9 +25,9 @@ RAYSHADE_ROUTINE void BlockGroup(const TraceView& view, Bundle* b, int g, const 
     ++counters->nodes;
     const Node& node = view.nodes[ChildOf(e.branch)];
     F8 depths;
-    for (uint32_t m = ChildrenInPyramid(*b, node, g, &depths); m != 0; m &= m - 1) {
+    for (uint32_t m = BoxesInPyramid(*b, node.plane, g, &depths); m != 0; m &= m - 1) {
       const auto i = static_cast<uint32_t>(__builtin_ctz(m));
-      const uint32_t met = RaysAtChild(*b, rays, node, i) & live;
+      const uint32_t met = PyramidsAtBox(*b, rays, node.plane, i) & live;
       if (met != 0) *top++ = {node.branch[i], met};
     }
   }

@@ -282,9 +282,10 @@ RAYSHADE_KERNEL uint32_t MeetPyramids(const Bundle& b, const Slopes<F8>& p, F8 n
          LessEqual(Min(p.v_low * w0, p.v_low * w1), v_high - SetF(b.v_far));
 }
 
-// A node's children against one pyramid: a group's own, or the whole bundle's where group < 0.
-RAYSHADE_KERNEL uint32_t ChildrenInPyramid(const Bundle& b, const Node& node, int group,
-                                           F8* depth) {
+// Eight boxes, whose planes lie as in Node, against one pyramid: a group's own, or the whole
+// bundle's where group < 0.
+RAYSHADE_KERNEL uint32_t BoxesInPyramid(const Bundle& b, const float (*plane)[8], int group,
+                                        F8* depth) {
   Slopes<F8> p;
   if (group < 0) {
     const Slopes<float>& w = b.whole;
@@ -293,17 +294,21 @@ RAYSHADE_KERNEL uint32_t ChildrenInPyramid(const Bundle& b, const Node& node, in
     p = {SetF(b.u_low[group]), SetF(b.u_high[group]), SetF(b.v_low[group]), SetF(b.v_high[group]),
          SetF(b.most[group])};
   }
-  return MeetPyramids(b, p, LoadF(node.plane[b.near_plane]), LoadF(node.plane[b.far_plane]),
-                      LoadF(node.plane[b.u]), LoadF(node.plane[3 + b.u]), LoadF(node.plane[b.v]),
-                      LoadF(node.plane[3 + b.v]), depth);
+  return MeetPyramids(b, p, LoadF(plane[b.near_plane]), LoadF(plane[b.far_plane]),
+                      LoadF(plane[b.u]), LoadF(plane[3 + b.u]), LoadF(plane[b.v]),
+                      LoadF(plane[3 + b.v]), depth);
 }
 
-// One child against the pyramids of all groups: bits of the groups.
-RAYSHADE_KERNEL uint32_t GroupsAtChild(const Bundle& b, const Node& node, uint32_t i) {
-  const Slopes<F8> p = {LoadF(b.u_low), LoadF(b.u_high), LoadF(b.v_low), LoadF(b.v_high),
-                        LoadF(b.most)};
+// Which of eight pyramids the box in lane i, whose planes lie as in Node, may meet: bits.
+RAYSHADE_KERNEL uint32_t PyramidsAtBox(const Bundle& b, const Slopes<F8>& p,
+                                       const float (*plane)[8], uint32_t i) {
   F8 depth;
-  return MeetPyramids(b, p, SetF(node.plane[b.near_plane][i]), SetF(node.plane[b.far_plane][i]),
-                      SetF(node.plane[b.u][i]), SetF(node.plane[3 + b.u][i]),
-                      SetF(node.plane[b.v][i]), SetF(node.plane[3 + b.v][i]), &depth);
+  return MeetPyramids(b, p, SetF(plane[b.near_plane][i]), SetF(plane[b.far_plane][i]),
+                      SetF(plane[b.u][i]), SetF(plane[3 + b.u][i]), SetF(plane[b.v][i]),
+                      SetF(plane[3 + b.v][i]), &depth);
+}
+
+// The pyramids of all groups.
+RAYSHADE_KERNEL Slopes<F8> GroupsAsPyramids(const Bundle& b) {
+  return {LoadF(b.u_low), LoadF(b.u_high), LoadF(b.v_low), LoadF(b.v_high), LoadF(b.most)};
 }

@@ -152,22 +152,19 @@ RAYSHADE_KERNEL void BlockRuns(const TraceView& view, const ShadowRows& rows, ui
                                LoneRays* lone, Counters* counters) {
   const Togetherness& widest = TogethernessIn(view);
   while (groups != 0) {
-    uint32_t run = NarrowRun(groups, widest.run, b);
+    const uint32_t run = NarrowRun(groups, widest.run, b);
     groups &= ~run;
-    if ((run & (run - 1)) != 0) {
-      SurroundRun(view, rows, run, sign, b);
-      BlockBundle(view, b, run, fate, first, lone, counters);
+    const bool one = (run & (run - 1)) == 0;
+    const Slopes<float>& w = b->whole;
+    if (one && (w.u_high - w.u_low > widest.packet || w.v_high - w.v_low > widest.packet)) {
+      AppendLive(*b, run, first, lone);
       continue;
     }
-    for (; run != 0; run &= run - 1) {
-      const uint32_t one = NarrowRun(run & -run, widest.run, b);
-      const Slopes<float>& w = b->whole;
-      if (w.u_high - w.u_low > widest.packet || w.v_high - w.v_low > widest.packet) {
-        AppendLive(*b, one, first, lone);
-        continue;
-      }
-      SurroundRun(view, rows, one, sign, b);
+    SurroundRun(view, rows, run, sign, b);
+    if (one) {
       BlockGroup(view, b, __builtin_ctz(run), fate, counters);
+    } else {
+      BlockBundle(view, b, run, fate, first, lone, counters);
     }
   }
 }
