@@ -130,12 +130,12 @@ struct WorkRequest {
 
 struct PrimaryRays {
   RAYSHADE_MESSAGE(PrimaryRays, "host", "trace", "RJ s.3-4",
-                   "Pyramids of primary rays, as samples of the picture: PyraClip tasks.");
-  std::vector<uint64_t> tokens;  // of the samples' return addresses
+                   "Pyramids of primary rays, as runs of samples of the picture: PyraClip tasks.");
+  SampleRuns samples;
 
   template <class A>
   void Fields(A& a) {
-    a("tokens", tokens);
+    a("samples", samples);
   }
 };
 
@@ -193,8 +193,8 @@ struct PixelResults {
   RAYSHADE_MESSAGE(
       PixelResults, "trace", "host", "RJ s.2, s.4",
       "Results of primary rays: hits, misses that the air has coloured, and voids, which show the "
-      "background and are told by their tokens alone.");
-  std::vector<uint64_t> voids;
+      "background and are told as runs of samples.");
+  SampleRuns voids;
   std::vector<PixelItem> misses, hits;
 
   template <class A>

@@ -8,6 +8,7 @@
 
 #include "parallel/cell_tree.h"
 #include "parallel/process_id.h"
+#include "parallel/sample_runs.h"
 #include "parallel/scene_codec.h"
 #include "parallel/wire.h"
 #include "rayshade/accel/object_set.h"
@@ -27,21 +28,6 @@ struct ReturnAddress {
     a("token", token);
   }
 };
-
-// A sample as the token of its return address, and back.
-inline uint64_t TokenOf(const Sample& sample) {
-  return static_cast<uint64_t>(static_cast<uint32_t>(sample.x) & 0xffffff) |
-         static_cast<uint64_t>(static_cast<uint32_t>(sample.y) & 0xffffff) << 24 |
-         static_cast<uint64_t>(sample.sub_cell & 0xff) << 48 |
-         static_cast<uint64_t>(sample.single) << 56;
-}
-inline Sample SampleOf(uint64_t token) {
-  return {static_cast<int32_t>(token & 0xffffff), static_cast<int32_t>(token >> 24 & 0xffffff),
-          static_cast<uint16_t>(token >> 48 & 0xff), (token >> 56 & 1) != 0};
-}
-// A sample that the picture does not have is a WireError: it came in a message. samples: as in the
-// settings.
-void CheckSample(const Sample& sample, const Camera& camera, int samples);
 
 // The part of a ray's state that is not the ray: how far it has been traced, and the best hit so
 // far.

@@ -50,10 +50,10 @@ size_t PyramidFeed::HandOut(size_t room, PixelSampling* sampling, Outbox* outbox
       const size_t left = room - handed_out;
       if (left < pyramid_ && handed_out > 0) break;  // no slivers: wait for results
       const Pyramid pyramid = TakeFor(to, std::min(pyramid_, left), sampling);
-      for (const Sample& sample : pyramid.samples) message.tokens.push_back(TokenOf(sample));
+      for (const Sample& sample : pyramid.samples) message.samples.Add(TokenOf(sample));
       handed_out += pyramid.samples.size();
     }
-    if (message.tokens.empty()) break;
+    if (message.samples.empty()) break;
     outbox->Send(to, Encode(message));
     requests_.pop_front();
   }

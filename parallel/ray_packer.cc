@@ -10,6 +10,8 @@ namespace {
 // A pack is full at about so many bytes; pixels, which no trace process waits for, at more: a
 // message costs the host a turn on a processor that traces.
 constexpr size_t kPackBytes = 16000, kPixelBytes = 40000;
+// Voids take hardly any bytes, but the host waits for them: they are rays in flight.
+constexpr size_t kVoids = 5000;
 // What things take in a message, about.
 constexpr size_t kRayBytes = 131, kShadowBytes = 160, kCrossingBytes = 50, kShadowResultBytes = 33;
 
@@ -104,8 +106,8 @@ void RayPacker::AddPixel(const PixelItem& pixel, bool hit, Outbox* outbox) {
 }
 
 void RayPacker::AddVoid(uint64_t token, Outbox* outbox) {
-  pixels_.voids.push_back(token);
-  if (pixels_.voids.size() * sizeof(uint64_t) >= kPixelBytes) SendPixels(outbox);
+  pixels_.voids.Add(token);
+  if (pixels_.voids.size() >= kVoids) SendPixels(outbox);
 }
 
 void RayPacker::FlushRays(Outbox* outbox) {
@@ -128,7 +130,7 @@ void RayPacker::Flush(Outbox* outbox) {
 }
 
 size_t RayPacker::bytes() const {
-  size_t bytes = packs_.size() * sizeof(Pack) + pixels_.voids.capacity() * sizeof(uint64_t) +
+  size_t bytes = packs_.size() * sizeof(Pack) + pixels_.voids.capacity_bytes() +
                  (pixels_.misses.capacity() + pixels_.hits.capacity()) * sizeof(PixelItem);
   for (const Pack& p : packs_) {
     bytes += 2 * (p.rays.bytes + p.intersections.bytes) +

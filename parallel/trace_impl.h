@@ -184,7 +184,8 @@ struct TraceProcess::Impl {
   std::shared_ptr<const RankIndex> ranks;  // of `own`; null where memory is short
 
   // Rays in work.
-  std::deque<Sample> samples;  // of PyraClip tasks, not begun
+  std::deque<SampleRun> runs;  // of PyraClip tasks, not begun
+  size_t samples = 0;          // in them
   WorkQueue queue;
   std::deque<ShadowTravel> shadow_tasks;
   RayQueue transferred;  // hits from other processes, to be located and shaded
@@ -203,6 +204,7 @@ struct TraceProcess::Impl {
 
   // Of the step at hand.
   RayQueue step;
+  std::vector<Sample> step_samples;
   HitBatch batch;
   ShadowBatch shadows;
   std::unique_ptr<PointLightRows> rows = std::make_unique<PointLightRows>();

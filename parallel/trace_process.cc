@@ -25,7 +25,7 @@ uint64_t TraceProcess::bytes_held() const { return impl_->bytes_held; }
 
 size_t TraceProcess::rays_in_work() const {
   const Impl& p = *impl_;
-  return p.samples.size() + p.queue.size() + p.transferred.size() + p.waiting_rays +
+  return p.samples + p.queue.size() + p.transferred.size() + p.waiting_rays +
          p.waiting_shades.size() - p.free_waiting_shades.size() + (p.packer ? p.packer->size() : 0);
 }
 
@@ -198,21 +198,36 @@ void TraceProcess::Impl::On(ProcessId, Distributed&, Outbox* outbox) {
 }
 
 void TraceProcess::Impl::On(ProcessId, PrimaryRays& message, Outbox*) {
-  for (uint64_t t : message.tokens) CheckSample(SampleOf(t), *camera, scene->settings().samples);
-  for (uint64_t t : message.tokens) samples.push_back(SampleOf(t));
+  message.samples.Check(*camera, scene->settings().samples);
+  runs.insert(runs.end(), message.samples.runs().begin(), message.samples.runs().end());
+  samples += message.samples.size();
   requests = std::max(0, requests - 1);
-  statistics.demand_rays += message.tokens.size();
-  counts.primary_rays += message.tokens.size();
+  statistics.demand_rays += message.samples.size();
+  counts.primary_rays += message.samples.size();
 }
 
 // The next part of the PyraClip tasks at hand, as rays. The oldest come first: a picture that is
-// cut short keeps its complete rows.
+// cut short keeps its complete rows. *rays is empty.
 void TraceProcess::Impl::TakeSamples(RayQueue* rays) {
-  const auto end = samples.begin() + static_cast<ptrdiff_t>(std::min(kRaysPerStep, samples.size()));
-  const std::vector<Sample> part(samples.begin(), end);
-  camera->AppendPrimaryRays(part, &rays->bundle.rays);
-  for (const Sample& sample : part) rays->travel.emplace_back().back = {kHost, TokenOf(sample)};
-  samples.erase(samples.begin(), end);
+  const size_t count = std::min(kRaysPerStep, samples);
+  step_samples.clear();
+  rays->travel.resize(count);
+  for (size_t taken = 0; taken < count;) {
+    SampleRun& run = runs.front();
+    const auto some = static_cast<uint32_t>(std::min<size_t>(run.count(), count - taken));
+    for (uint32_t i = 0; i < some; ++i) {
+      const uint64_t token = run.first() + i;
+      step_samples.push_back(SampleOf(token));
+      rays->travel[taken++].back = {kHost, token};
+    }
+    if (some < run.count()) {
+      run.Shorten(some);
+    } else {
+      runs.pop_front();
+    }
+  }
+  samples -= count;
+  camera->AppendPrimaryRays(step_samples, &rays->bundle.rays);
 }
 
 // The rays of a message; primary rays are made again from their samples. *to is empty.
@@ -344,7 +359,7 @@ void TraceProcess::Impl::On(ProcessId, Stop&, Outbox* outbox) {
 
 bool TraceProcess::Impl::AskForWork(Outbox* outbox) {
   if (!AsksForWork(options.schedule) || requests >= kRequestsAhead) return false;
-  const size_t ready = samples.size() + queue.size() + transferred.size() + shadow_tasks.size();
+  const size_t ready = samples + queue.size() + transferred.size() + shadow_tasks.size();
   if (!ShortOfWork(ready, waiting_rays, options.pyramid)) return false;
   ++requests;
   outbox->Send(kHost, Encode(WorkRequest{}));
@@ -372,7 +387,7 @@ bool TraceProcess::Impl::Work(Outbox* outbox) {
     } else if (!transferred.empty()) {
       transferred.Pop(kRaysPerStep, &step);
       ShadeLocated(step, outbox);
-    } else if (!samples.empty()) {
+    } else if (samples > 0) {
       TakeSamples(&step);
       TraceRays(step, outbox);
     } else if (queue.PopAny(&step)) {

@@ -30,7 +30,7 @@ struct Addresses {
   template <class Message>
   void operator()(const Message&) const {}
   void operator()(const PrimaryRays& m) const {
-    for (uint64_t token : m.tokens) rays->travelling.push_back({kHost, token});
+    for (const uint64_t token : m.samples.tokens()) rays->travelling.push_back({kHost, token});
   }
   void operator()(const TravellingRays& m) const {
     for (const PrimaryTravel& p : m.primary) rays->travelling.push_back({kHost, p.token});
@@ -44,7 +44,7 @@ struct Addresses {
     for (const ResultItem& r : m.results) Finished(r.token);
   }
   void operator()(const PixelResults& m) const {
-    for (const uint64_t token : m.voids) Finished(token);
+    for (const uint64_t token : m.voids.tokens()) Finished(token);
     for (const PixelItem& p : m.misses) Finished(p.token);
     for (const PixelItem& p : m.hits) Finished(p.token);
   }
@@ -69,7 +69,7 @@ struct Words {
   void operator()(const Objects& m) const { (*this)(m.parcel); }
   void operator()(const SetUp& m) const { Add(m.tree.size(), "cell", "cells", text); }
   void operator()(const PrimaryRays& m) const {
-    Add(m.tokens.size(), "primary ray", "primary rays", text);
+    Add(m.samples.size(), "primary ray", "primary rays", text);
   }
   void Travelling(const TravellingRays& m, const char* one, const char* many) const {
     Add(m.primary.size(), ("primary " + std::string(one)).c_str(),

@@ -19,7 +19,7 @@ TEST(PaperSection1, DemandDrivenEachProcessFinishesItsPartOfTheImageItself) {
   size_t pixels = 0;
   for (const SentMessage& s : run.sent) {
     if (s.tag == Tag::kPrimaryRays) {
-      for (uint64_t token : Decode<PrimaryRays>(s.bytes).tokens) given[token] = s.to;
+      for (uint64_t token : Decode<PrimaryRays>(s.bytes).samples.tokens()) given[token] = s.to;
     }
     for (const Pixel& item : RecordedRun::Pixels(s)) {
       EXPECT_EQ(given.at(item.token), s.from);

@@ -21,7 +21,7 @@ std::vector<std::vector<Ray>> Bundles(const RecordedRun& run) {
   std::vector<std::vector<Ray>> bundles;
   run.ForEach<PrimaryRays>([&](const SentMessage&, const PrimaryRays& message) {
     std::vector<Ray>& rays = bundles.emplace_back();
-    for (uint64_t token : message.tokens) rays.push_back(run.camera->PrimaryRay(SampleOf(token)));
+    for (uint64_t token : message.samples.tokens()) rays.push_back(run.camera->PrimaryRay(SampleOf(token)));
   });
   return bundles;
 }
@@ -38,10 +38,10 @@ TEST(PaperSection3, APyramidHasTheEyeAsItsTopAndASquareCrossSection) {
   const RecordedRun& run = HybridBalls();
   size_t full = 0;
   run.ForEach<PrimaryRays>([&](const SentMessage&, const PrimaryRays& message) {
-    EXPECT_LE(message.tokens.size(), 64u);
+    EXPECT_LE(message.samples.size(), 64u);
     int low[] = {1 << 20, 1 << 20}, high[] = {-1, -1};
     std::vector<Ray> rays;
-    for (uint64_t token : message.tokens) {
+    for (uint64_t token : message.samples.tokens()) {
       const Sample s = SampleOf(token);
       low[0] = std::min(low[0], s.x);
       low[1] = std::min(low[1], s.y);
@@ -51,7 +51,7 @@ TEST(PaperSection3, APyramidHasTheEyeAsItsTopAndASquareCrossSection) {
     }
     const Pyramid pyramid = Pyramid::Around(rays);
     EXPECT_EQ(pyramid.origins, (Bounds{run.camera->eye(), run.camera->eye()}));
-    if (message.tokens.size() < 64) return;  // at the picture's edge
+    if (message.samples.size() < 64) return;  // at the picture's edge
     ++full;
     EXPECT_TRUE(pyramid.narrow());
     EXPECT_LE(high[0] - low[0], 15);
@@ -94,7 +94,7 @@ TEST(PaperSection3, ADemandDrivenTaskFetchesOnlyCellsOfItsClipList) {
   std::set<std::pair<ProcessId, CellId>> clipped;
   run.ForEach<PrimaryRays>([&](const SentMessage& s, const PrimaryRays& message) {
     std::vector<Ray> rays;
-    for (uint64_t token : message.tokens) rays.push_back(run.camera->PrimaryRay(SampleOf(token)));
+    for (uint64_t token : message.samples.tokens()) rays.push_back(run.camera->PrimaryRay(SampleOf(token)));
     for (const ClippedCell& c : PyraClip(run.tree, Pyramid::Around(rays), kFar, SkipNone))
       clipped.emplace(s.to, c.cell);
   });

@@ -33,7 +33,7 @@ const RecordedRun& Hybrid() {
 std::map<uint64_t, ProcessId> Givens(const RecordedRun& run) {
   std::map<uint64_t, ProcessId> given;
   run.ForEach<PrimaryRays>([&](const SentMessage& s, const PrimaryRays& message) {
-    for (uint64_t token : message.tokens) given[token] = s.to;
+    for (uint64_t token : message.samples.tokens()) given[token] = s.to;
   });
   return given;
 }
@@ -365,7 +365,7 @@ TEST(PaperSection4, NoMoreRaysAreOutThanTheLimitAndTheyTravelPacked) {
   int64_t out = 0;
   for (const SentMessage& s : run.sent) {
     if (s.tag == Tag::kPrimaryRays)
-      out += static_cast<int64_t>(Decode<PrimaryRays>(s.bytes).tokens.size());
+      out += static_cast<int64_t>(Decode<PrimaryRays>(s.bytes).samples.size());
     out -= static_cast<int64_t>(RecordedRun::Pixels(s).size());
     EXPECT_LE(out, 100);
   }

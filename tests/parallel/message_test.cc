@@ -24,7 +24,7 @@ Message Example() {
   if constexpr (requires { message.primary; })
     message.primary = {{7, 1.5, 9, 3}, {8, kFar, kNoRank, kNoCell}};
   if constexpr (requires { message.voids; }) {
-    message.voids = {1, 2, 3};
+    message.voids = {1, 2, 4};
     message.hits = {{7, {1, 2, 3}}, {8, {}}};
     message.misses = {{9, {4, 5, 6}}};
   } else if constexpr (std::is_same_v<Message, ShadowResults>) {
@@ -37,7 +37,7 @@ Message Example() {
     message.rays[0].back = {3, 7};
     message.rays[0].crossings = {{1.5, 9, {1, 2, 3}, .5, true, false}, {}};
   }
-  if constexpr (requires { message.tokens; }) message.tokens = {1, 2, 3};
+  if constexpr (requires { message.samples; }) message.samples = {1, 2, 4};
   if constexpr (requires { message.sent; }) message.sent = {{"RayTask", 3, 4}};
   if constexpr (requires { message.text; }) message.text = "hello";
   if constexpr (requires { message.parcel; }) {

@@ -15,7 +15,7 @@ class Sent : public Outbox {
  public:
   void Send(ProcessId to, std::vector<uint8_t> bytes) override {
     to_.push_back(to);
-    tokens_.push_back(Decode<PrimaryRays>(bytes).tokens);
+    tokens_.push_back(Decode<PrimaryRays>(bytes).samples.tokens());
   }
   std::vector<ProcessId> to_;
   std::vector<std::vector<uint64_t>> tokens_;

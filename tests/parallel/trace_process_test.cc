@@ -91,14 +91,15 @@ TEST_F(RunningProcess, TracesFirstWhatCameFirst) {
   const std::vector<uint64_t> corners = {TokenOf({0, 0, 0, false}), TokenOf({7, 0, 0, false})};
   std::vector<uint64_t> told, voids;
   for (const uint64_t corner : corners) {
-    const std::vector<uint64_t> pyramid(1000, corner);
-    run_.Tell(kHost, 1, PrimaryRays{pyramid});
-    told.insert(told.end(), pyramid.begin(), pyramid.end());
+    PrimaryRays pyramid;
+    for (int i = 0; i < 1000; ++i) pyramid.samples.Add(corner);
+    run_.Tell(kHost, 1, pyramid);
+    told.insert(told.end(), 1000, corner);
   }
   for (const SentMessage& s : run_.Work(1)) {
     if (s.tag != Tag::kPixelResults) continue;
-    const auto results = Decode<PixelResults>(s.bytes);
-    voids.insert(voids.end(), results.voids.begin(), results.voids.end());
+    const auto some = Decode<PixelResults>(s.bytes).voids.tokens();
+    voids.insert(voids.end(), some.begin(), some.end());
   }
   EXPECT_EQ(voids, told);
 }

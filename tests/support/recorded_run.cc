@@ -80,7 +80,7 @@ std::vector<Pixel> RecordedRun::Pixels(const SentMessage& message) {
   std::vector<Pixel> pixels;
   if (message.tag != Tag::kPixelResults) return pixels;
   const PixelResults results = Decode<PixelResults>(message.bytes);
-  for (uint64_t token : results.voids) pixels.push_back({token, {}, false});
+  for (uint64_t token : results.voids.tokens()) pixels.push_back({token, {}, false});
   for (const PixelItem& miss : results.misses) pixels.push_back({miss.token, miss.color, false});
   for (const PixelItem& hit : results.hits) pixels.push_back({hit.token, hit.color, true});
   return pixels;

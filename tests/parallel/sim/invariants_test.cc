@@ -70,7 +70,7 @@ class InvariantsOfARun : public testing::Test {
   }
   static PixelResults Void(uint64_t token) {
     PixelResults results;
-    results.voids.push_back(token);
+    results.voids.Add(token);
     return results;
   }
 
