@@ -15,8 +15,15 @@
 
 namespace rayshade::parallel {
 
-// What most intersections need comes first: many are pending, and each of their cache lines is
-// fetched from memory twice.
+// What only some intersections need.
+struct PendingRest {
+  Ray ray;                 // that was shaded; where there is an atmosphere
+  SecondaryRay reflected;  // where reflected_waits has been set
+  RayBundle waiting;       // that ray
+};
+
+// What all need fits into two cache lines: many are pending, and each line is fetched from memory
+// twice.
 struct alignas(64) PendingIntersection {
   ReturnAddress back;
   bool in_use = false;
@@ -24,13 +31,11 @@ struct alignas(64) PendingIntersection {
   bool reflected_waits = false;      // for the transmitted ray
   RayKind kind = RayKind::kPrimary;  // of the ray that was shaded
   double distance = 0;
-  Color lights;
-  Secondary secondary;
-
-  Ray ray;                // that was shaded; where there is an atmosphere
-  RayResult transmitted;  // where reflected_waits has been set
-  RayBundle waiting;      // the reflected ray where reflected_waits has been set
+  Color color;       // folded so far
+  SecondaryRay way;  // of the ray that is on its way
+  std::unique_ptr<PendingRest> rest;
 };
+static_assert(sizeof(PendingIntersection) == 128);
 
 class PendingIntersections {
  public:
@@ -64,14 +69,24 @@ class PendingIntersections {
     __builtin_prefetch(at, 1);
     __builtin_prefetch(at + 64, 1);
   }
+  // The rest of a slot; what stands in it is left over, too.
+  PendingRest& rest(PendingIntersection* pending) {
+    if (pending->rest == nullptr) {
+      pending->rest = std::make_unique<PendingRest>();
+      ++rests_;
+    }
+    return *pending->rest;
+  }
   void Free(uint64_t slot) {
     at(slot).in_use = false;
     free_.push_back(static_cast<uint32_t>(slot));
   }
   size_t size() const { return chunks_.size() * kChunk - free_.size(); }
   // Of the first few slots, which come together.
-  static constexpr size_t kLeastBytes = 16 * sizeof(PendingIntersection);
-  size_t bytes() const { return chunks_.size() * kChunk * sizeof(PendingIntersection); }
+  static constexpr size_t kLeastBytes = 48 * sizeof(PendingIntersection);
+  size_t bytes() const {
+    return chunks_.size() * kChunk * sizeof(PendingIntersection) + rests_ * sizeof(PendingRest);
+  }
 
  private:
   static constexpr size_t kChunk = kLeastBytes / sizeof(PendingIntersection);
@@ -79,6 +94,7 @@ class PendingIntersections {
 
   std::vector<std::unique_ptr<PendingIntersection[]>> chunks_;
   std::vector<uint32_t> free_;
+  size_t rests_ = 0;
 };
 
 }  // namespace rayshade::parallel

@@ -211,7 +211,8 @@ void TraceProcess::Impl::On(ProcessId, PrimaryRays& message, Outbox*) {
 void TraceProcess::Impl::TakeSamples(RayQueue* rays) {
   const size_t count = std::min(kRaysPerStep, samples);
   step_samples.clear();
-  rays->travel.resize(count);
+  static const std::vector<Travel> fresh(kRaysPerStep);  // copied as a whole, not by members
+  rays->travel.assign(fresh.begin(), fresh.begin() + static_cast<ptrdiff_t>(count));
   for (size_t taken = 0; taken < count;) {
     SampleRun& run = runs.front();
     const auto some = static_cast<uint32_t>(std::min<size_t>(run.count(), count - taken));

@@ -264,8 +264,7 @@ void TraceProcess::Impl::Lit(const Ray& ray, std::span<const Medium> media, doub
   Secondary secondary;
   SpawnSecondary(*scene, ray, media, hit, &next.bundle, &next.bundle, &secondary);
   if (next.bundle.size() == before) {
-    Deliver(back, ray.kind, Shade(*scene, ray, media.empty(), distance, lights, secondary, {}, {}),
-            outbox);
+    Deliver(back, ray.kind, Folded(*scene, ray, media.empty(), distance, lights), outbox);
     return;
   }
   const uint64_t slot = pending.Allocate();
@@ -274,18 +273,20 @@ void TraceProcess::Impl::Lit(const Ray& ray, std::span<const Medium> media, doub
   p.back = back;
   p.kind = ray.kind;
   p.distance = distance;
-  p.lights = lights;
-  p.secondary = secondary;
-  if (!scene->spec.atmosphere.effects.empty()) p.ray = ray;
+  p.color = lights;
+  p.way = secondary.transmitted.wanted ? secondary.transmitted : secondary.reflected;
+  if (!scene->spec.atmosphere.effects.empty()) pending.rest(&p).ray = ray;
   p.reflected_waits = next.bundle.size() == before + 2;
   if (p.reflected_waits) {
+    PendingRest& rest = pending.rest(&p);
+    rest.reflected = secondary.reflected;
     Ray& reflected = next.bundle.rays.back();
-    p.waiting.clear();
+    rest.waiting.clear();
     const auto first = next.bundle.media.begin() + reflected.media_begin;
-    p.waiting.media.assign(first, next.bundle.media.end());
+    rest.waiting.media.assign(first, next.bundle.media.end());
     next.bundle.media.erase(first, next.bundle.media.end());
     reflected.media_begin = 0;
-    p.waiting.rays.push_back(reflected);
+    rest.waiting.rays.push_back(reflected);
     next.bundle.rays.pop_back();
   }
   const RayKind kind = next.bundle.rays.back().kind;
@@ -314,18 +315,19 @@ void TraceProcess::Impl::Deliver(const ReturnAddress& back, RayKind kind, const 
 void TraceProcess::Impl::TakeResult(uint64_t token, const RayResult& result, Outbox* outbox) {
   const uint64_t slot = token >> 1;
   PendingIntersection& p = pending.at(slot);
+  p.color += Weighted(p.way, result);
   if (p.reflected_waits) {
-    p.transmitted = result;
     p.reflected_waits = false;
+    p.way = p.rest->reflected;
     Travel travel;
     travel.back = {self, slot << 1 | 1};
-    queue.Push(p.waiting.rays[0], p.waiting.media, travel);
+    queue.Push(p.rest->waiting.rays[0], p.rest->waiting.media, travel);
     CountLaunched(RayKind::kReflected);
     return;
   }
-  const bool both = p.secondary.transmitted.wanted && p.secondary.reflected.wanted;
-  const RayResult shaded = Shade(*scene, p.ray, p.in_air, p.distance, p.lights, p.secondary,
-                                 both ? p.transmitted : result, result);
+  static const Ray any;  // without an atmosphere
+  const RayResult shaded =
+      Folded(*scene, p.rest ? p.rest->ray : any, p.in_air, p.distance, p.color);
   const ReturnAddress back = p.back;
   const RayKind kind = p.kind;
   pending.Free(slot);

@@ -67,11 +67,6 @@ bool Transmit(const Scene& scene, const Ray& ray, std::span<const Medium> media,
 
 }  // namespace
 
-Color Weighted(const SecondaryRay& way, const RayResult& result) {
-  const Color color = way.weight * result.color;
-  return way.extinct == 1 ? color : std::pow(std::max(way.extinct, 0.0), result.distance) * color;
-}
-
 void SpawnSecondary(const Scene& scene, const Ray& ray, std::span<const Medium> media,
                     const SurfaceHit& hit, RayBundle* transmitted, RayBundle* reflected,
                     Secondary* secondary) {

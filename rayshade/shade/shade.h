@@ -119,7 +119,10 @@ inline Secondary SpawnSecondary(const Scene& scene, const Ray& ray, std::span<co
 
 // What arrives at the hit of a secondary ray's result: the weight first, then what the medium
 // leaves.
-Color Weighted(const SecondaryRay& way, const RayResult& result);
+inline Color Weighted(const SecondaryRay& way, const RayResult& result) {
+  const Color color = way.weight * result.color;
+  return way.extinct == 1 ? color : std::pow(std::max(way.extinct, 0.0), result.distance) * color;
+}
 // What the air does to a ray's colour. in_air: the ray's medium stack is empty.
 inline Color ThroughAir(const Scene& scene, const Ray& ray, bool in_air, double distance,
                         const Color& color) {
@@ -128,14 +131,19 @@ inline Color ThroughAir(const Scene& scene, const Ray& ray, bool in_air, double 
   return air.Apply(ray.origin, ray.direction, distance, color);
 }
 
-// The last step. lights: ambient light and what AddLight added.
+// The result of a hit of which everything is folded.
+inline RayResult Folded(const Scene& scene, const Ray& ray, bool in_air, double distance,
+                        const Color& color) {
+  return {Bounded(ThroughAir(scene, ray, in_air, distance, color)), distance, true};
+}
+// The last steps. lights: ambient light and what AddLight added.
 inline RayResult Shade(const Scene& scene, const Ray& ray, bool in_air, double distance,
                        const Color& lights, const Secondary& secondary,
                        const RayResult& transmitted, const RayResult& reflected) {
   Color color = lights;
   if (secondary.transmitted.wanted) color += Weighted(secondary.transmitted, transmitted);
   if (secondary.reflected.wanted) color += Weighted(secondary.reflected, reflected);
-  return {Bounded(ThroughAir(scene, ray, in_air, distance, color)), distance, true};
+  return Folded(scene, ray, in_air, distance, color);
 }
 // The result of a ray that hits nothing: background and atmosphere.
 inline RayResult ShadeMiss(const Scene& scene, const Ray& ray, bool in_air) {
