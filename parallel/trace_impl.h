@@ -24,7 +24,7 @@
 #include "parallel/work_queue.h"
 #include "rayshade/render/camera.h"
 #include "rayshade/shade/crossing.h"
-#include "rayshade/shade/point_light_rows.h"
+#include "rayshade/shade/hit_rows.h"
 #include "rayshade/shade/shade.h"
 
 namespace rayshade::parallel {
@@ -53,7 +53,7 @@ struct HitBatch {
   std::vector<uint32_t> rays;  // their numbers
   std::vector<double> distances;
   std::vector<SurfaceHit> surfaces;
-  std::vector<Color> lights;    // ambient light and what is folded so far
+  std::vector<Color> lights;    // ambient light; at the end all that is folded
   std::vector<uint32_t> aside;  // the hit's waiting shade; kNotAside while all lights are decided
 
   HitBatch()
@@ -152,7 +152,7 @@ struct TraceProcess::Impl {
   size_t SampleRest(const RayQueue& rays, size_t count, uint32_t light, size_t traced);
   void TraceShadows(size_t done, size_t count);
   bool Arrives(bool blocked, std::vector<ShadowCrossing>* crossings, Color* color);
-  void Fold(const RayQueue& rays, size_t hit, const LightSample& sample, bool arrives);
+  void Fold(const RayQueue& rays, size_t hit, const LightSample& sample);
   WaitingShade& Aside(const RayQueue& rays, size_t hit);
   void Wait(const RayQueue& rays, size_t shadow, Outbox* outbox);
   void ResumeShadows(const std::vector<std::pair<uint32_t, uint32_t>>& shadows, CellId cell,
@@ -207,7 +207,7 @@ struct TraceProcess::Impl {
   std::vector<Sample> step_samples;
   HitBatch batch;
   ShadowBatch shadows;
-  std::unique_ptr<PointLightRows> rows = std::make_unique<PointLightRows>();
+  std::unique_ptr<HitRows> rows = std::make_unique<HitRows>();
   std::vector<CellTracer::Shadow> halting;
   std::vector<uint32_t> halting_numbers;
   HitPath path;

@@ -16,11 +16,13 @@ void TraceProcess::Impl::ShadeBatch(const RayQueue& rays, Outbox* outbox) {
     batch.aside[h] = kNotAside;
   }
   if (count > 0) {
-    rows->Set(*scene, rays.bundle.rays, {batch.surfaces.data(), count}, {batch.rays.data(), count});
+    rows->Set(*scene, rays.bundle.rays, {batch.surfaces.data(), count}, {batch.rays.data(), count},
+              {batch.lights.data(), count});
   }
   for (uint32_t light = 0; count > 0 && light < scene->lights.size(); ++light) {
     Illuminate(rays, count, light, outbox);
   }
+  if (count > 0) rows->Finish();
   for (size_t h = 0; h < count; ++h) {
     if (h + PendingIntersections::kAhead < count)
       FetchAhead(rays.travel[batch.rays[h + PendingIntersections::kAhead]].back);
@@ -36,7 +38,7 @@ void TraceProcess::Impl::Illuminate(const RayQueue& rays, size_t count, uint32_t
                                     Outbox* outbox) {
   rows->Clear();
   size_t done = 0;
-  if (PointLightRows::Suit(*scene, *scene->lights[light])) {
+  if (HitRows::Suit(*scene, *scene->lights[light])) {
     done = IlluminateByRows(rays, count, light);
   }
   const size_t traced = rows->all_done() ? done : SampleRest(rays, count, light, done);
@@ -48,8 +50,8 @@ void TraceProcess::Impl::Illuminate(const RayQueue& rays, size_t count, uint32_t
       Wait(rays, k, outbox);
       continue;
     }
-    const bool arrives = Arrives(s.blocked[k] != 0, &s.crossings[k], &s.samples[k].color);
-    Fold(rays, s.hits[k], s.samples[k], arrives);
+    if (Arrives(s.blocked[k] != 0, &s.crossings[k], &s.samples[k].color))
+      Fold(rays, s.hits[k], s.samples[k]);
   }
 }
 
@@ -60,21 +62,25 @@ size_t TraceProcess::Impl::IlluminateByRows(const RayQueue& rays, size_t count, 
   rows->Trace(*scene, *own, light, &counts);
   ShadowBatch& s = shadows;
   size_t undecided = 0;
-  for (size_t h = 0; h < count; ++h) {
-    if (!rows->done(h) || !rows->faces(h)) continue;
+  const auto leave_undecided = [&](size_t h) {
+    rows->TakeOut(h);
     LightSample& sample = s.samples[undecided];
     sample = rows->Sample(light, number, h);
-    if (rows->blocked(h) || (tracer->owns_all() && !rows->crossed(h))) {
-      Fold(rays, h, sample, !rows->blocked(h));
-      continue;
-    }
     MakeShadowRay(rays.bundle.rays[batch.rays[h]], batch.surfaces[h], sample.toward,
                   &s.rays[undecided]);
     s.limits[undecided] = sample.limit;
     s.hits[undecided] = static_cast<uint32_t>(h);
     s.crossed[undecided] = rows->crossed(h);
     ++undecided;
+  };
+  if (!tracer->owns_all()) {
+    for (size_t h = 0; h < count; ++h) {
+      if (!rows->blocked(h)) leave_undecided(h);
+    }
+  } else if (scene->any_transparent) {
+    rows->ForEachCrossed(leave_undecided);
   }
+  rows->AddUp(*own, light);
   return undecided;
 }
 
@@ -91,7 +97,7 @@ size_t TraceProcess::Impl::SampleRest(const RayQueue& rays, size_t count, uint32
       continue;
     }
     if (!sample.traced) {
-      Fold(rays, h, sample, true);
+      Fold(rays, h, sample);
       continue;
     }
     s.limits[traced] = sample.limit;
@@ -153,16 +159,15 @@ bool TraceProcess::Impl::Arrives(bool blocked, std::vector<ShadowCrossing>* cros
   return arrives;
 }
 
-// A light of a hit is decided: it is folded, or kept where an earlier one is not.
-void TraceProcess::Impl::Fold(const RayQueue& rays, size_t hit, const LightSample& sample,
-                              bool arrives) {
+// A light arrives at a hit: it is folded, or kept where an earlier one is not decided.
+void TraceProcess::Impl::Fold(const RayQueue& rays, size_t hit, const LightSample& sample) {
   if (batch.aside[hit] == kNotAside) {
-    if (arrives) AddLight(batch.surfaces[hit], sample, sample.color, &batch.lights[hit]);
+    rows->Add(hit, sample, sample.color);
     return;
   }
   WaitingShade& shade = Aside(rays, hit);
   static_cast<LightSample&>(shade.shadows.emplace_back()) = sample;
-  shade.arrived.push_back(arrives);
+  shade.arrived.push_back(true);
   shade.crossings.emplace_back();
 }
 
@@ -186,7 +191,7 @@ WaitingShade& TraceProcess::Impl::Aside(const RayQueue& rays, size_t hit) {
   shade.distance = batch.distances[hit];
   shade.back = rays.travel[i].back;
   shade.hit = batch.surfaces[hit];
-  shade.lights = batch.lights[hit];
+  shade.lights = rows->sum(hit);
   return shade;
 }
 

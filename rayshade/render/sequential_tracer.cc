@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "rayshade/common/check.h"
-#include "rayshade/render/hit_rows.h"
+#include "rayshade/shade/hit_rows.h"
 
 namespace rayshade {
 namespace {
@@ -124,6 +124,8 @@ struct SequentialTracer::Impl {
                   std::span<RayResult> results, OpCounts* counts);
   size_t Resolve(std::span<const Ray> rays, std::span<RayResult> results, Level* level);
   void Illuminate(std::span<const Ray> rays, size_t count, Level* level, OpCounts* counts);
+  void AddThroughTransparent(uint32_t light, std::span<const Ray> rays, const Level& level,
+                             OpCounts* counts);
   void IlluminateBy(uint32_t light, std::span<const Ray> rays, size_t count, Level* level,
                     OpCounts* counts);
   void Spawn(std::span<const Ray> rays, const std::vector<Medium>& media, size_t count,
@@ -168,13 +170,28 @@ void SequentialTracer::Impl::Illuminate(std::span<const Ray> rays, size_t count,
   for (uint32_t light = 0; light < scene.lights.size(); ++light) {
     const Light& source = *scene.lights[light];
     if (HitRows::Suit(scene, source)) {
-      rows->Illuminate(scene, objects, source, &shadow_tracer, counts);
+      rows->Trace(scene, objects, source, counts);
+      if (scene.any_transparent) AddThroughTransparent(light, rays, *level, counts);
+      rows->AddUp(objects, source);
     } else {
       rows->Clear();
     }
     if (!rows->all_done()) IlluminateBy(light, rays, count, level, counts);
   }
   rows->Finish();
+}
+
+// What something transparent leaves of a light that the rows have traced.
+void SequentialTracer::Impl::AddThroughTransparent(uint32_t light, std::span<const Ray> rays,
+                                                   const Level& level, OpCounts* counts) {
+  rows->ForEachCrossed([&](size_t s) {
+    rows->TakeOut(s);
+    LightSample sample = rows->Sample(*scene.lights[light], light, s);
+    Ray shadow;
+    MakeShadowRay(rays[level.owners[s]], level.surfaces[s], sample.toward, &shadow);
+    if (shadow_tracer.Pass(shadow, sample.limit, &sample.color, counts))
+      rows->Add(s, sample, sample.color);
+  });
 }
 
 // One light, for the hits that are not done by rows.

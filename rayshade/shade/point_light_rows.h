@@ -37,9 +37,7 @@ class PointLightRows {
   // What Trace found for hit s. Not done: the hit goes the general way, through SampleLight.
   bool done(size_t s) const { return done_[order_.row(s)] != 0; }
   bool all_done() const { return done_count_ == count_; }
-  // Else the light does not concern the hit.
-  bool faces(size_t s) const { return cosine_[order_.row(s)] > 0; }
-  // By an opaque object, or does not face.
+  // By an opaque object, or does not face the light, or is not done.
   bool blocked(size_t s) const { return blocked_[order_.row(s)] != 0; }
   // Maybe by something transparent.
   bool crossed(size_t s) const { return crossed_[order_.row(s)] != 0; }

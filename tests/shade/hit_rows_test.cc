@@ -1,6 +1,6 @@
 // Lights added up in rows against AddLight, hit by hit and to the bit: also highlights so faint
 // that the rows leave them out.
-#include "rayshade/render/hit_rows.h"
+#include "rayshade/shade/hit_rows.h"
 
 #include <gtest/gtest.h>
 
@@ -63,7 +63,6 @@ void Compare(const char* simd, Random* random) {
   const test::TextScene text("light 0.7 0.9 1 point 0 0 8\nsphere 0.1 0 0 -90\n");
   unsetenv("RAYSHADE_SIMD");
   const Scene& scene = text.scene();
-  ShadowTracer shadows(&scene, &text.objects());
   const Hits hits = MakeHits(random, at);
   OpCounts counts;
   std::vector<Color> sums;
@@ -71,7 +70,8 @@ void Compare(const char* simd, Random* random) {
   const std::vector<Color> before = sums;
   const auto rows = std::make_unique<HitRows>();
   rows->Set(scene, hits.rays, hits.surfaces, hits.owners, sums);
-  rows->Illuminate(scene, text.objects(), *scene.lights[0], &shadows, &counts);
+  rows->Trace(scene, text.objects(), *scene.lights[0], &counts);
+  rows->AddUp(text.objects(), *scene.lights[0]);
   rows->Finish();
   size_t lit = 0;
   for (size_t i = 0; i < kCount; ++i) {

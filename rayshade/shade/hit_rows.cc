@@ -1,5 +1,5 @@
 // Adding up by rows; see hit_rows.h.
-#include "rayshade/render/hit_rows.h"
+#include "rayshade/shade/hit_rows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,9 +16,7 @@ void HitRows::Set(const Scene& scene, std::span<const Ray> rays,
                   std::span<const SurfaceHit> surfaces, std::span<const uint32_t> owners,
                   std::span<Color> colors) {
   PointLightRows::Set(scene, rays, surfaces, owners);
-  rays_ = rays;
   surfaces_ = surfaces;
-  owners_ = owners;
   colors_ = colors;
   any_shiny_ = false;
   const size_t end = (count_ + 7) / 8 * 8;
@@ -40,25 +38,7 @@ void HitRows::Set(const Scene& scene, std::span<const Ray> rays,
   }
 }
 
-// What is added goes out of the rows.
-void HitRows::AddThroughTransparent(const Light& light, ShadowTracer* shadows, OpCounts* counts) {
-  const auto passed = [this](size_t row) {
-    return EightOf(crossed_, row) & ~EightOf(blocked_, row);
-  };
-  ForEachRow(passed, [&](size_t row) {
-    blocked_[row] = 1;
-    const size_t s = order_.hit(row);
-    LightSample sample = Sample(light, 0, s);
-    Ray shadow;
-    MakeShadowRay(rays_[owners_[s]], surfaces_[s], sample.toward, &shadow);
-    if (shadows->Pass(shadow, sample.limit, &sample.color, counts)) Add(s, sample, sample.color);
-  });
-}
-
-void HitRows::Illuminate(const Scene& scene, const ObjectSet& objects, const Light& light,
-                         ShadowTracer* shadows, OpCounts* counts) {
-  Trace(scene, objects, light, counts);
-  if (scene.any_transparent) AddThroughTransparent(light, shadows, counts);
+void HitRows::AddUp(const ObjectSet& objects, const Light& light) {
   const Color arrived = light.intensity();
   objects.AddDiffuse({blocked_,
                       cosine_,
@@ -92,16 +72,13 @@ void HitRows::AddHighlights(const ObjectSet& objects, const Light& light) {
 
 void HitRows::Add(size_t s, const LightSample& sample, const Color& arrived) {
   const size_t row = order_.row(s);
-  Color sum{sum_[0][row], sum_[1][row], sum_[2][row]};
+  Color sum = this->sum(s);
   AddLight(surfaces_[s], sample, arrived, &sum);
   for (int c = 0; c < 3; ++c) sum_[c][row] = sum[c];
 }
 
 void HitRows::Finish() {
-  for (size_t s = 0; s < count_; ++s) {
-    const size_t row = order_.row(s);
-    colors_[s] = {sum_[0][row], sum_[1][row], sum_[2][row]};
-  }
+  for (size_t s = 0; s < count_; ++s) colors_[s] = sum(s);
 }
 
 }  // namespace rayshade
