@@ -194,14 +194,24 @@ Hit CellTracer::LocateHeld(const Ray& ray, double distance, Rank rank, OpCounts*
   return hit;
 }
 
-ProcessId CellTracer::OwnerAt(const Ray& ray, double distance) const {
+ProcessId CellTracer::OwnerAt(const Ray& ray, double distance) {
   const Vector point = ray.origin + distance * ray.direction;
+  // Hits that follow each other mostly lie in one region. A border belongs to the upper one.
+  Bounds& last = last_region_;
+  if (last.low.x <= point.x && point.x < last.high.x && last.low.y <= point.y &&
+      point.y < last.high.y && last.low.z <= point.z && point.z < last.high.z) {
+    return owners_[last_node_];
+  }
   if (!tree_->bounds().Contains(point)) return kHost;
+  last = tree_->bounds();
   uint32_t node = 0;
   while (owners_[node] == kHost) {
     const CellNode& n = tree_->nodes()[node];
-    node = point[n.axis] < n.plane ? n.low : n.high;
+    const bool low = point[n.axis] < n.plane;
+    (low ? last.high : last.low)[n.axis] = n.plane;
+    node = low ? n.low : n.high;
   }
+  last_node_ = node;
   return owners_[node];
 }
 

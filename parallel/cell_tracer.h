@@ -74,7 +74,7 @@ class CellTracer {
   Hit LocateHeld(const Ray& ray, double distance, Rank rank, OpCounts* counts);
 
   // The owner of the place of a hit; kHost outside of the subdivision.
-  ProcessId OwnerAt(const Ray& ray, double distance) const;
+  ProcessId OwnerAt(const Ray& ray, double distance);
 
   const Bounds& box(CellId cell) const { return boxes_[cell]; }
   uint64_t cache_hits() const { return cache_hits_; }
@@ -107,6 +107,9 @@ class CellTracer {
   std::vector<uint8_t> all_owned_;  // by node: nothing below is foreign
   std::vector<ProcessId> owners_;   // by node: of all cells below; kHost where they differ
   std::vector<Bounds> boxes_;       // by cell
+  // The node that OwnerAt came to the last time, and its box; empty at first.
+  uint32_t last_node_ = 0;
+  Bounds last_region_;
   uint64_t cache_hits_ = 0, cache_misses_ = 0;
   // Scratch, to spare allocations.
   CellWalk walk_;

@@ -204,6 +204,7 @@ struct TraceProcess::Impl {
 
   // Of the step at hand.
   RayQueue step;
+  RayQueue primary_step;  // keeps its room: Pop gives and takes that of `step`
   std::vector<Sample> step_samples;
   HitBatch batch;
   ShadowBatch shadows;

@@ -389,8 +389,9 @@ bool TraceProcess::Impl::Work(Outbox* outbox) {
       transferred.Pop(kRaysPerStep, &step);
       ShadeLocated(step, outbox);
     } else if (samples > 0) {
-      TakeSamples(&step);
-      TraceRays(step, outbox);
+      primary_step.clear();
+      TakeSamples(&primary_step);
+      TraceRays(primary_step, outbox);
     } else if (queue.PopAny(&step)) {
       TraceRays(step, outbox);
     } else {
