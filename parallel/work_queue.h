@@ -31,7 +31,7 @@ inline constexpr int kRequestsAhead = 1;
 // Requests for cells that may be unanswered at once.
 inline constexpr size_t kCellsAhead = 8;
 // Packs for other trace processes that are not full are sent after so many steps.
-inline constexpr int kStepsPerFlush = 8;
+inline constexpr int kStepsPerFlush = 32;
 
 // Rays that can be traced now, by depth.
 class WorkQueue {

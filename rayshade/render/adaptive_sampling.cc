@@ -34,7 +34,7 @@ std::vector<Sample> AdaptiveSampling::Next(size_t most) {
   std::vector<Sample> samples;
   for (;;) {
     if (news_) Replay();
-    if (tile_done()) AskBorder();
+    if (pixels_.done()) AskBorder();
     if (ahead_ && walk_.done() && asks_.size() * cells_ < most) {
       const bool stuck = !asks_.empty() && samples_handed_ - samples_put_ < 4 * most;
       Guess();
@@ -44,7 +44,7 @@ std::vector<Sample> AdaptiveSampling::Next(size_t most) {
       HandOutFull(most, &samples);
       break;
     }
-    if (tile_done() && walk_.done()) break;
+    if (pixels_.done() && walk_.done()) break;
     HandOutSingles(most, &samples);
     if (!samples.empty()) break;  // a tile may be known already
   }
@@ -119,13 +119,9 @@ void AdaptiveSampling::HandOutFull(size_t most, std::vector<Sample>* samples) {
 }
 
 void AdaptiveSampling::HandOutSingles(size_t most, std::vector<Sample>* samples) {
-  if (tile_done()) {
-    tile_ = walk_.Next(most);
-    tile_next_ = 0;
-  }
-  for (; !tile_done() && samples->size() < most; ++tile_next_) {
-    const int x = tile_.x + static_cast<int>(tile_next_ % tile_.width);
-    const int y = tile_.y + static_cast<int>(tile_next_ / tile_.width);
+  if (pixels_.done()) pixels_ = TilePixels(walk_.Next(most));
+  for (; !pixels_.done() && samples->size() < most; pixels_.Next()) {
+    const int x = pixels_.x(), y = pixels_.y();
     if (!is(x, y, kSingle)) samples->push_back({x, y, camera_.SingleSubCell(x, y), true});
   }
 }

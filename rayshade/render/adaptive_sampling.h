@@ -76,7 +76,6 @@ class AdaptiveSampling {
     return settings_.every_pixel_full || ContrastFires(colors, settings_.contrast);
   }
 
-  bool tile_done() const { return tile_next_ == size_t(tile_.width) * tile_.height; }
   void AskFull(int x, int y);
   const PixelValue* FullValue(int x, int y);
   void ApplyFull(int x, int y);
@@ -111,8 +110,7 @@ class AdaptiveSampling {
   std::vector<uint32_t> free_sets_;
 
   TileWalk walk_;
-  Tile tile_;
-  size_t tile_next_ = 0;   // in tile_
+  TilePixels pixels_;      // of the tile at hand, from the next one on
   int rows_restored_ = 1;  // rows that Restore brought something of
   int border_rows_ = 1;    // rows whose ends were asked for
   bool last_row_asked_ = false;

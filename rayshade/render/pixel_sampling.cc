@@ -30,21 +30,13 @@ struct PixelSampling::Impl {
 
   std::vector<Sample> NextOfOne(size_t most) {
     std::vector<Sample> samples;
-    if (tile_next == size_t(tile.width) * tile.height) {
+    if (pixels.done()) {
       if (walk.done()) return samples;
-      tile = walk.Next(most);
-      tile_next = 0;
+      pixels = TilePixels(walk.Next(most));
     }
-    const size_t end = std::min(tile_next + most, size_t(tile.width) * tile.height);
-    samples.reserve(end - tile_next);
-    int x = tile.x + static_cast<int>(tile_next % tile.width);
-    int y = tile.y + static_cast<int>(tile_next / tile.width);
-    for (; tile_next < end; ++tile_next) {
-      samples.push_back({x, y, 0, y > 0});
-      if (++x < tile.x + tile.width) continue;
-      x = tile.x;
-      ++y;
-    }
+    samples.reserve(std::min(most, pixels.left()));
+    for (; !pixels.done() && samples.size() < most; pixels.Next())
+      samples.push_back({pixels.x(), pixels.y(), 0, pixels.y() > 0});
     return samples;
   }
 
@@ -99,8 +91,7 @@ struct PixelSampling::Impl {
   Picture picture;
   std::unique_ptr<AdaptiveSampling> adaptive;  // null: one sample per pixel
   TileWalk walk;
-  Tile tile;
-  size_t tile_next = 0;      // in tile
+  TilePixels pixels;         // of the tile at hand, from the next one on
   std::vector<int> missing;  // samples by row, the extra row included
   int rows = 0;              // complete rows from the top, the extra row included
   uint64_t put = 0;          // samples
