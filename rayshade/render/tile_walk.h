@@ -1,6 +1,7 @@
 // A rectangle of pixels cut into tiles of at most `most` pixels, as square as possible, visited in
-// rows of tiles; and the pixels of a tile in blocks: the rays of neighbours on the list should be
-// neighbours in the picture, in both directions, since they are traced together.
+// rows of tiles; and the pixels of a tile in blocks and groups: rays that follow each other are
+// traced together (accel/bundles.inl), so they should be neighbours in the picture in both
+// directions.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +14,8 @@ struct Tile {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
-// A block is as wide and as high as this: its rays are a bundle (accel/bundles.inl).
-inline constexpr int kBlockPixels = 8;
+// Pixels of a side of a block, whose rays are a bundle, and of a group, eight of which are one.
+inline constexpr int kBlockSide = 8, kGroupWidth = 4, kGroupHeight = 2;
 
 class TileWalk {
  public:
@@ -44,20 +45,25 @@ class TileWalk {
  private:
   // At least one pixel.
   static int WholeBlocks(int pixels) {
-    return pixels < kBlockPixels ? std::max(1, pixels) : pixels / kBlockPixels * kBlockPixels;
+    return pixels < kBlockSide ? std::max(1, pixels) : pixels / kBlockSide * kBlockSide;
   }
 
   int width_, bottom_;
   int x_ = 0, y_ = 0, height_ = 1;
 };
 
-// The pixels of a tile, block by block, each block row by row.
+// The pixels of a tile: its blocks in rows, each block's groups in rows, each group's pixels in
+// rows.
 class TilePixels {
  public:
   TilePixels() = default;  // of no tile
-  explicit TilePixels(const Tile& tile) : tile_(tile), left_(size_t(tile.width) * tile.height) {
-    BeginBlock(tile.x, tile.y);
-  }
+  explicit TilePixels(const Tile& tile)
+      : tile_(tile),
+        block_(First(tile, kBlockSide, kBlockSide)),
+        group_(First(block_, kGroupWidth, kGroupHeight)),
+        left_(size_t(tile.width) * tile.height),
+        x_(tile.x),
+        y_(tile.y) {}
 
   size_t left() const { return left_; }
   bool done() const { return left_ == 0; }
@@ -66,23 +72,34 @@ class TilePixels {
   int y() const { return y_; }
   void Next() {
     --left_;
-    if (++x_ < block_.x + block_.width) return;
-    x_ = block_.x;
-    if (++y_ < block_.y + block_.height) return;
-    const bool row_ends = block_.x + block_.width == tile_.x + tile_.width;
-    row_ends ? BeginBlock(tile_.x, block_.y + block_.height)
-             : BeginBlock(block_.x + block_.width, block_.y);
+    if (++x_ < group_.x + group_.width) return;
+    x_ = group_.x;
+    if (++y_ < group_.y + group_.height) return;
+    if (!Advance(block_, kGroupWidth, kGroupHeight, &group_)) {
+      Advance(tile_, kBlockSide, kBlockSide, &block_);
+      group_ = First(block_, kGroupWidth, kGroupHeight);
+    }
+    x_ = group_.x;
+    y_ = group_.y;
   }
 
  private:
-  void BeginBlock(int x, int y) {
-    block_ = {x, y, std::min(kBlockPixels, tile_.x + tile_.width - x),
-              std::min(kBlockPixels, tile_.y + tile_.height - y)};
-    x_ = x;
-    y_ = y;
+  // The parts of a rectangle, of at most this size, in rows.
+  static Tile First(const Tile& whole, int width, int height) {
+    return {whole.x, whole.y, std::min(width, whole.width), std::min(height, whole.height)};
+  }
+  static bool Advance(const Tile& whole, int width, int height, Tile* part) {
+    part->x += part->width;
+    if (part->x == whole.x + whole.width) {
+      part->x = whole.x;
+      part->y += part->height;
+    }
+    part->width = std::min(width, whole.x + whole.width - part->x);
+    part->height = std::min(height, whole.y + whole.height - part->y);
+    return part->height > 0;
   }
 
-  Tile tile_, block_;
+  Tile tile_, block_, group_;
   size_t left_ = 0;
   int x_ = 0, y_ = 0;
 };

@@ -49,13 +49,21 @@ TEST(TileWalk, TilesAreOfWholeBlocksWhereTheyAreLargeEnough) {
   EXPECT_EQ(tile.width, 24);
 }
 
-TEST(TilePixels, SixtyFourInARowAreASquare) {
+// So many that follow each other fill rectangles of this size.
+void ExpectRectangles(size_t count, int width, int height) {
   const std::vector<Pixel> pixels = PixelsOf({16, 8, 32, 16});
-  for (size_t begin = 0; begin < pixels.size(); begin += 64) {
+  for (size_t begin = 0; begin < pixels.size(); begin += count) {
     const auto [x, y] = pixels[begin];
-    for (size_t i = 0; i < 64; ++i)
-      EXPECT_EQ(pixels[begin + i], Pixel(x + int(i % 8), y + int(i / 8)));
+    for (size_t i = 0; i < count; ++i) {
+      const auto [px, py] = pixels[begin + i];
+      EXPECT_TRUE(px >= x && px < x + width && py >= y && py < y + height) << begin + i;
+    }
   }
+}
+
+TEST(TilePixels, BundlesAreSquaresAndGroupsHaveTwoRows) {
+  ExpectRectangles(64, 8, 8);
+  ExpectRectangles(8, 4, 2);
 }
 
 }  // namespace
