@@ -25,8 +25,10 @@ namespace rayshade::parallel {
   X(slowness)   /* operations take so many times as long as stated here, on one processor … */ \
   X(node_slowness) /* … and a node so many times as long as that one */                        \
   X(ray)           /* a ray of any kind begun */                                                 \
-  X(node_visit)    /* operations, as in op_counts.h */                                           \
+  X(node_visit)    /* operations, as in op_counts.h; these two by bundles … */                 \
   X(primitive_test)                                                                              \
+  X(lone_visit) /* … and these by rays alone */                                                \
+  X(lone_test)                                                                                   \
   X(cell_step)                                                                                   \
   X(cell_test)                                                                                   \
   X(shade)                                                                                       \

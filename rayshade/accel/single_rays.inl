@@ -12,6 +12,7 @@ constexpr double kSmallestDirection = 1e-30;
 
 struct Counters {
   uint64_t nodes = 0;
+  uint64_t lone_nodes = 0, lone_tests = 0;  // of all: not of a bundle
   uint64_t flat_tests[kOtherLeaf] = {};  // by the kind of the leaf
   KindCounts kinds[kGeomKinds];          // all else
 };

@@ -19,6 +19,8 @@
 
 RAYSHADE_KERNEL void AddTo(OpCounts* counts, Counters counters) {
   counts->node_visits += counters.nodes;
+  counts->lone_visits += counters.lone_nodes;
+  counts->lone_tests += counters.lone_tests;
   counters.kinds[kSphereGeom].tests += counters.flat_tests[kSphereLeaf];
   counters.kinds[kTriangleGeom].tests += counters.flat_tests[kTriangleLeaf];
   counters.kinds[kPolygonGeom].tests += counters.flat_tests[kPolygonLeaf];

@@ -184,6 +184,7 @@ RAYSHADE_KERNEL void VisitNodes(const TraceView& view, bool sorted, Lists* lists
   const uint32_t count = lists->count[kInnerNode];
   lists->count[kInnerNode] = 0;
   counters->nodes += count;
+  counters->lone_nodes += count;
   for (uint32_t i = 0; i < count; ++i) {
     at[i] = LookIntoNode(view, sorted, lists->of[kInnerNode][i]);
   }
@@ -202,6 +203,7 @@ RAYSHADE_KERNEL void VisitLeaves(const TraceView& view, const Job& job, LeafKind
   for (uint32_t i = 0; i < count; ++i) {
     Walker* const w = at[i] = lists->of[kind][i];
     CountTests(view, kind, w->next, 1, counters);
+    counters->lone_tests += CountOf(w->next);
     const uint32_t bits = LookIntoLeaf(view, kind, w->next, w->work, w->most);
     tested[tests] = {w, bits, 0};
     tests += bits != 0;

@@ -17,6 +17,8 @@ namespace rayshade {
   X(supersampled_pixels)                                                           \
   X(node_visits)     /* nodes of the hierarchy opened, once per ray (or bundle) */ \
   X(primitive_tests) /* ray against one primitive */                               \
+  X(lone_visits)     /* of node_visits: by rays that are not in a bundle */        \
+  X(lone_tests)      /* of primitive_tests, likewise */                            \
   X(cell_steps)      /* cells of the subdivision walked through */                 \
   X(cell_tests)      /* ray against the box of a cell on a clip list */            \
   X(shades)          /* hits shaded */                                             \

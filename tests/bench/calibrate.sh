@@ -33,11 +33,14 @@ echo "$view plane s 0 0 -1 0 -.7 1" >"$out/plane.ray"
 least() { awk '!($1 in least) || $2 < least[$1] { least[$1] = $2; line[$1] = $0 } END { for (name in line) print line[name] }' | sort; }
 
 sequential_run() { # SCENE PIXELS: a line for fit.awk
-  local line seconds name
+  local line seconds name lone_visits lone_tests
   { time "$build/rayshade" -q -R "$2" "$2" --stats "$out/run.json" -O "$out/run.png" "$out/$1.ray"; } 2>"$out/run.time" || fail "$1"
   seconds=$(awk -v seconds="$(value "$out/run.json" trace_seconds)" '{ print seconds * ($2 + $3) / $1 }' "$out/run.time")
+  lone_visits=$(value "$out/run.json" operations.lone_visits) lone_tests=$(value "$out/run.json" operations.lone_tests)
   line="$1-$2 $seconds $(value "$out/run.json" rays.total)"
-  for name in node_visits primitive_tests cell_steps cell_tests shades light_samples; do line="$line $(value "$out/run.json" operations.$name)"; done
+  line="$line $(($(value "$out/run.json" operations.node_visits) - lone_visits))"
+  line="$line $(($(value "$out/run.json" operations.primitive_tests) - lone_tests)) $lone_visits $lone_tests"
+  for name in cell_steps cell_tests shades light_samples; do line="$line $(value "$out/run.json" operations.$name)"; done
   echo "$line 0 0 0 $((2 * $(value "$out/run.json" rays.primary))) 0 0 0"
 }
 # Rounds, not runs of one scene, follow each other: where the machine is slow for a while, all are.

@@ -24,7 +24,7 @@ namespace rayshade::parallel {
 namespace {
 
 constexpr char kNames[] =
-    "ray node_visit primitive_test cell_step cell_test shade light_sample object fetched_object "
+    "ray node_visit primitive_test lone_visit lone_test cell_step cell_test shade light_sample object fetched_object "
     "lent_object sample pack unpack process_ray";
 
 struct Done {
@@ -86,6 +86,8 @@ class MeasuredProcess : public Process {
     counts.primary_rays += after.counts.total_rays() - before.counts.total_rays();
     counts.node_visits += after.counts.node_visits - before.counts.node_visits;
     counts.primitive_tests += after.counts.primitive_tests - before.counts.primitive_tests;
+    counts.lone_visits += after.counts.lone_visits - before.counts.lone_visits;
+    counts.lone_tests += after.counts.lone_tests - before.counts.lone_tests;
     counts.cell_steps += after.counts.cell_steps - before.counts.cell_steps;
     counts.cell_tests += after.counts.cell_tests - before.counts.cell_tests;
     counts.shades += after.counts.shades - before.counts.shades;
@@ -107,8 +109,8 @@ void Print(const std::string& name, const Done& done) {
   const OpCounts& c = done.work.counts;
   std::printf("%s %.6f", name.c_str(), done.seconds);
   for (const uint64_t n :
-       {c.total_rays(), c.node_visits, c.primitive_tests, c.cell_steps, c.cell_tests, c.shades,
-        c.light_samples, done.work.objects_taken, done.work.objects_fetched, done.work.objects_lent,
+       {c.total_rays(), c.node_visits - c.lone_visits, c.primitive_tests - c.lone_tests,
+        c.lone_visits, c.lone_tests, c.cell_steps, c.cell_tests, c.shades, c.light_samples, done.work.objects_taken, done.work.objects_fetched, done.work.objects_lent,
         done.work.samples, done.packed, done.unpacked, c.total_rays()})
     std::printf(" %llu", static_cast<unsigned long long>(n));
   std::printf("\n");
