@@ -34,8 +34,8 @@ constexpr int kObjectsPerStep = 1024;
 // (trace_process.h, invariant 2).
 uint64_t BytesPerPrimaryRay(const SceneSpec& scene, Shadows shadows) {
   const uint64_t levels = static_cast<uint64_t>(scene.settings.max_depth) + 1;
-  return levels * (sizeof(PendingIntersection) + sizeof(PendingRest)) + sizeof(WaitingShade) + sizeof(Ray) +
-         sizeof(Travel) +
+  return levels * (sizeof(PendingIntersection) + sizeof(PendingRest)) + sizeof(WaitingShade) +
+         sizeof(Ray) + sizeof(Travel) +
          (scene.lights.size() + 1) * (sizeof(ShadowRay) + sizeof(std::vector<ShadowCrossing>) + 16 +
                                       (shadows == Shadows::kTravel ? sizeof(ShadowTravel) : 0));
 }

@@ -22,10 +22,9 @@ double CostBetween(const Machine& m, const WorkDone& before, const WorkDone& aft
   const OpCounts &a = before.counts, &b = after.counts;
   const double operations =
       m.ray * RaysBetween(before, after) +
-      m.node_visit * Difference(b.node_visits - b.lone_visits,
-                                a.node_visits - a.lone_visits) +
-      m.primitive_test * Difference(b.primitive_tests - b.lone_tests,
-                                    a.primitive_tests - a.lone_tests) +
+      m.node_visit * Difference(b.node_visits - b.lone_visits, a.node_visits - a.lone_visits) +
+      m.primitive_test *
+          Difference(b.primitive_tests - b.lone_tests, a.primitive_tests - a.lone_tests) +
       m.lone_visit * Difference(b.lone_visits, a.lone_visits) +
       m.lone_test * Difference(b.lone_tests, a.lone_tests) +
       m.cell_step * Difference(b.cell_steps, a.cell_steps) +

@@ -13,8 +13,8 @@ constexpr double kSmallestDirection = 1e-30;
 struct Counters {
   uint64_t nodes = 0;
   uint64_t lone_nodes = 0, lone_tests = 0;  // of all: not of a bundle
-  uint64_t flat_tests[kOtherLeaf] = {};  // by the kind of the leaf
-  KindCounts kinds[kGeomKinds];          // all else
+  uint64_t flat_tests[kOtherLeaf] = {};     // by the kind of the leaf
+  KindCounts kinds[kGeomKinds];             // all else
 };
 
 // GeomSpec::index() of an object.
@@ -56,7 +56,7 @@ struct RayWork {
   double strict_limit;  // hits of strict kinds lie before
   double sure;          // hits beyond are checked against the object's box
   const Ray* ray;
-  float rounded[8];     // origin, direction, least, time
+  float rounded[8];  // origin, direction, least, time
 };
 
 RAYSHADE_KERNEL float FloatBelow(double x) {

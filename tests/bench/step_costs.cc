@@ -24,7 +24,8 @@ namespace rayshade::parallel {
 namespace {
 
 constexpr char kNames[] =
-    "ray node_visit primitive_test lone_visit lone_test cell_step cell_test shade light_sample object fetched_object "
+    "ray node_visit primitive_test lone_visit lone_test cell_step cell_test shade light_sample "
+    "object fetched_object "
     "lent_object sample pack unpack process_ray";
 
 struct Done {
@@ -110,7 +111,8 @@ void Print(const std::string& name, const Done& done) {
   std::printf("%s %.6f", name.c_str(), done.seconds);
   for (const uint64_t n :
        {c.total_rays(), c.node_visits - c.lone_visits, c.primitive_tests - c.lone_tests,
-        c.lone_visits, c.lone_tests, c.cell_steps, c.cell_tests, c.shades, c.light_samples, done.work.objects_taken, done.work.objects_fetched, done.work.objects_lent,
+        c.lone_visits, c.lone_tests, c.cell_steps, c.cell_tests, c.shades, c.light_samples,
+        done.work.objects_taken, done.work.objects_fetched, done.work.objects_lent,
         done.work.samples, done.packed, done.unpacked, c.total_rays()})
     std::printf(" %llu", static_cast<unsigned long long>(n));
   std::printf("\n");

@@ -21,7 +21,8 @@ std::vector<std::vector<Ray>> Bundles(const RecordedRun& run) {
   std::vector<std::vector<Ray>> bundles;
   run.ForEach<PrimaryRays>([&](const SentMessage&, const PrimaryRays& message) {
     std::vector<Ray>& rays = bundles.emplace_back();
-    for (uint64_t token : message.samples.tokens()) rays.push_back(run.camera->PrimaryRay(SampleOf(token)));
+    for (uint64_t token : message.samples.tokens())
+      rays.push_back(run.camera->PrimaryRay(SampleOf(token)));
   });
   return bundles;
 }
@@ -94,7 +95,8 @@ TEST(PaperSection3, ADemandDrivenTaskFetchesOnlyCellsOfItsClipList) {
   std::set<std::pair<ProcessId, CellId>> clipped;
   run.ForEach<PrimaryRays>([&](const SentMessage& s, const PrimaryRays& message) {
     std::vector<Ray> rays;
-    for (uint64_t token : message.samples.tokens()) rays.push_back(run.camera->PrimaryRay(SampleOf(token)));
+    for (uint64_t token : message.samples.tokens())
+      rays.push_back(run.camera->PrimaryRay(SampleOf(token)));
     for (const ClippedCell& c : PyraClip(run.tree, Pyramid::Around(rays), kFar, SkipNone))
       clipped.emplace(s.to, c.cell);
   });
