@@ -3,8 +3,8 @@
 //
 //   1. A message is: its tag (one byte), then its fields in order (wire.h). Nothing follows.
 //   2. Tags are never reused.
-//   3. Messages hold values; what is done with them stands in host_process.cc and trace_process.cc,
-//   one handler each.
+//   3. Messages hold values; what is done with them stands in host_process.cc and trace_*.cc, one
+//   handler each.
 #pragma once
 
 #include <cstdint>

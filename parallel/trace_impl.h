@@ -1,6 +1,6 @@
-// The state of a trace process and its steps; private to trace_process.cc (messages), trace_rays.cc
-// (tracing and fetching), trace_shadows.cc (shadow rays that travel) and trace_shading.cc
-// (spawning, gathering, shading).
+// The state of a trace process and its steps; private to trace_process.cc (messages),
+// trace_objects.cc (objects kept and lent), trace_rays.cc (tracing and fetching), trace_shadows.cc
+// (shadow rays that travel) and trace_shading.cc (spawning, gathering, shading).
 #pragma once
 
 #include <deque>
@@ -98,30 +98,34 @@ struct TraceProcess::Impl {
 
   // trace_process.cc
   void On(ProcessId from, SetUp& message, Outbox* outbox);
-  void On(ProcessId from, Objects& message, Outbox* outbox);
   void On(ProcessId from, Distributed& message, Outbox* outbox);
-  void KeepShared(std::span<const uint8_t> objects, Outbox* outbox);
-  void BuildOwn();
-  void BuildShared();
   void On(ProcessId from, PrimaryRays& message, Outbox* outbox);
   void On(ProcessId from, RayTask& message, Outbox* outbox);
   void On(ProcessId from, IntersectionTask& message, Outbox* outbox);
   void On(ProcessId from, RayResults& message, Outbox* outbox);
   void Unpack(const TravellingRays& rays, RayQueue* queue) const;
-  void On(ProcessId from, CellRequest& message, Outbox* outbox);
-  void On(ProcessId from, CellReply& message, Outbox* outbox);
   void On(ProcessId from, Stop& message, Outbox* outbox);
   template <class Message>
   void Handle(ProcessId from, std::span<const uint8_t> bytes, Outbox* outbox);
+  bool Work(Outbox* outbox);
+  void TakeSamples(RayQueue* rays);
+  bool AskForWork(Outbox* outbox);
+  void NoteBytes();
+
+  // trace_objects.cc
+  void On(ProcessId from, Objects& message, Outbox* outbox);
+  void BuildOwn();
+  void On(ProcessId from, CellRequest& message, Outbox* outbox);
+  void On(ProcessId from, CellReply& message, Outbox* outbox);
   void TakeImage(const WireImage& image);
   void CheckAttributes(const Attributes& attributes) const;  // WireError where they name nothing
   void CheckInside(const GeomSpec& geom) const;              // of a composite
   void Install(const ObjectParcel& parcel, ObjectSet* set);
   PlacementId LocalPlacement(uint32_t number) const;
-  bool Work(Outbox* outbox);
-  void TakeSamples(RayQueue* rays);
-  bool AskForWork(Outbox* outbox);
-  void NoteBytes();
+
+  // trace_sharing.cc
+  void KeepShared(std::span<const uint8_t> objects, Outbox* outbox);
+  void BuildShared();
 
   // trace_rays.cc
   void TraceRays(const RayQueue& rays, Outbox* outbox);
