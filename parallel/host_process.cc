@@ -2,6 +2,7 @@
 #include "parallel/host_process.h"
 
 #include <algorithm>
+#include <functional>
 #include <stdexcept>
 #include <utility>
 
@@ -49,26 +50,17 @@ uint64_t BytesBeside(const CellTree& tree, const SceneSpec& scene, Shadows shado
          2 * BytesPerPrimaryRay(scene, shadows);
 }
 
-// Put what a message says of samples, by bundles.
-void PutVoids(const SampleRuns& voids, const Color& background, PixelSampling* sampling) {
-  Sample samples[SampleRun::kMost];
-  RayResult results[SampleRun::kMost];
-  std::fill(std::begin(results), std::end(results), RayResult{background, kFar, false});
-  for (const SampleRun& run : voids.runs()) {
-    for (uint32_t i = 0; i < run.count(); ++i) samples[i] = SampleOf(run.first() + i);
-    sampling->Put({samples, run.count()}, {results, run.count()});
-  }
-}
-
-void PutPixels(const std::vector<PixelItem>& items, double distance, bool hit,
-               PixelSampling* sampling) {
+// Puts what a message says of samples, by bundles. pixel_of(item): its sample and colour.
+template <class Item, class PixelOf>
+void PutAll(const std::vector<Item>& items, double distance, bool hit, PixelOf pixel_of,
+            PixelSampling* sampling) {
   constexpr size_t kAtOnce = 256;
   Sample samples[kAtOnce];
   RayResult results[kAtOnce];
   for (size_t begin = 0; begin < items.size(); begin += kAtOnce) {
     const size_t count = std::min(kAtOnce, items.size() - begin);
     for (size_t i = 0; i < count; ++i) {
-      const PixelItem& pixel = items[begin + i];
+      const PixelItem& pixel = pixel_of(items[begin + i]);
       samples[i] = SampleOf(pixel.token);
       results[i] = {pixel.color, distance, hit};
     }
@@ -256,9 +248,12 @@ void HostProcess::On(ProcessId, const PixelResults& message, Outbox*) {
   }
   in_flight_ -= count;
   samples_done_ += count;
-  PutVoids(message.voids, settings.background, sampling_.get());
-  PutPixels(message.misses, kFar, false, sampling_.get());
-  PutPixels(message.hits, 0, true, sampling_.get());
+  const auto background = [&settings](uint64_t token) {
+    return PixelItem{token, settings.background};
+  };
+  PutAll(message.voids.tokens(), kFar, false, background, sampling_.get());
+  PutAll(message.misses, kFar, false, std::identity(), sampling_.get());
+  PutAll(message.hits, 0, true, std::identity(), sampling_.get());
 }
 
 void HostProcess::On(ProcessId from, const Statistics& message, Outbox*) {

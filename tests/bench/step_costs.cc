@@ -25,8 +25,7 @@ namespace {
 
 constexpr char kNames[] =
     "ray node_visit primitive_test lone_visit lone_test cell_step cell_test shade light_sample "
-    "object fetched_object "
-    "lent_object sample pack unpack process_ray";
+    "object fetched_object lent_object sample pack unpack process_ray";
 
 struct Done {
   double seconds = 0;
