@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "parallel/pyraclip.h"
 #include "rayshade/common/check.h"
@@ -13,6 +14,32 @@ namespace {
 
 // A known hit is searched for from so much in front of it, relatively.
 constexpr double kLocateWindow = 1e-6;
+// Shadow rays from neighbouring rows that are clipped as one.
+constexpr size_t kRowsOfPyramid = 64;
+
+struct RowsOfPyramid {
+  double origin[3][kRowsOfPyramid], inverse[3][kRowsOfPyramid];
+  double limit[kRowsOfPyramid];  // negative: no ray
+
+  // Sets the flags of those that Intersect(box, ray) lets meet the box, and of some beside it: what
+  // it widens intervals by is more than what inverses are off by. In loops that vectorize.
+  void Meet(const Bounds& box, uint64_t* meets) const {
+    constexpr double kWider = 1 + 4e-9;
+    double entry[kRowsOfPyramid] = {}, exit[kRowsOfPyramid];
+    std::copy_n(limit, kRowsOfPyramid, exit);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double low = box.low[axis], high = box.high[axis];
+      for (size_t i = 0; i < kRowsOfPyramid; ++i) {
+        const double a = (low - origin[axis][i]) * inverse[axis][i];
+        const double b = (high - origin[axis][i]) * inverse[axis][i];
+        const double near = a < b ? a : b, far = a < b ? b : a;
+        entry[i] = near > entry[i] ? near : entry[i];
+        exit[i] = far < exit[i] ? far : exit[i];
+      }
+    }
+    for (size_t i = 0; i < kRowsOfPyramid; ++i) meets[i] |= entry[i] <= exit[i] * kWider;
+  }
+};
 
 }  // namespace
 
@@ -112,6 +139,7 @@ void CellTracer::NearestByClipList(const Pyramid& pyramid, std::span<const Ray> 
     const ObjectSet* set = Searched(clipped.cell);
     for (size_t i = 0; i < rays.size(); ++i) {
       if (clipped.entry > hits[i].distance) continue;
+      if (set == nullptr && clipped.entry > halts[i].entry) continue;
       ++counts->cell_tests;
       const RayInterval interval =
           Intersect(boxes_[clipped.cell], rays[i].origin, rays[i].direction);
@@ -272,7 +300,7 @@ void CellTracer::ShadowsByClipList(const Pyramid& pyramid, std::span<Shadow*> sh
     here.clear();
     const ObjectSet* set = cache_->Find(clipped.cell);
     for (Shadow* s : shadows) {
-      if (s->blocked) continue;
+      if (s->blocked || (set == nullptr && clipped.entry > s->halt.entry)) continue;
       ++counts->cell_tests;
       const Ray& ray = *s->ray;
       const RayInterval interval = Intersect(boxes_[clipped.cell], ray.origin, ray.direction);
@@ -292,6 +320,42 @@ void CellTracer::ShadowsByClipList(const Pyramid& pyramid, std::span<Shadow*> sh
     Cross(*set, here, counts);
   }
   for (const Shadow* s : shadows) cache_misses_ += !s->blocked && s->halt.cell != kNoCell;
+}
+
+void CellTracer::FindForeign(const ShadowRows& rows, uint8_t* foreign, OpCounts* counts) const {
+  const auto skip = [this](uint32_t node) { return all_owned_[node] != 0; };
+  RowsOfPyramid some{};
+  for (size_t begin = 0; begin < rows.count; begin += kRowsOfPyramid) {
+    const size_t count = std::min(kRowsOfPyramid, rows.count - begin);
+    Pyramid pyramid;
+    double limit = -1;
+    size_t rays = 0;
+    std::fill_n(some.limit, kRowsOfPyramid, -1.0);
+    for (size_t i = 0; i < count; ++i) {
+      if (rows.blocked[begin + i]) continue;
+      Vector origin, direction;
+      for (int axis = 0; axis < 3; ++axis) {
+        origin[axis] = some.origin[axis][i] = rows.origin[axis][begin + i];
+        const double d = direction[axis] = rows.direction[axis][begin + i];
+        some.inverse[axis][i] = 1 / (std::abs(d) < kAlongPlanes ? kAlongPlanes : d);
+      }
+      pyramid.origins.Include(origin);
+      pyramid.directions.Include(direction);
+      some.limit[i] = rows.limits[begin + i];
+      limit = std::max(limit, some.limit[i]);
+      ++rays;
+    }
+    uint64_t meets[kRowsOfPyramid] = {};
+    if (rays > 0) {
+      for (const ClippedCell& clipped : PyraClip(*tree_, pyramid, limit, skip)) {
+        ++counts->cell_steps;
+        counts->cell_tests += rays;
+        some.Meet(boxes_[clipped.cell], meets);
+        if (std::accumulate(meets, meets + kRowsOfPyramid, uint64_t{0}) == rays) break;
+      }
+    }
+    std::copy_n(meets, count, foreign + begin);
+  }
 }
 
 void CellTracer::ShadowByWalk(Shadow* shadow, OpCounts* counts) {

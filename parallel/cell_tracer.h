@@ -65,6 +65,10 @@ class CellTracer {
   };
   // Follows each to its limit, to an opaque object, or to a cell that is not held.
   void Shadows(std::span<Shadow> shadows, OpCounts* counts);
+  // foreign[i] becomes 1 where shadow ray i of the rows is not blocked and meets a cell before its
+  // limit that is not held for good, or nearly; else 0, and the objects that are held for good say
+  // all about it.
+  void FindForeign(const ShadowRows& rows, uint8_t* foreign, OpCounts* counts) const;
 
   // A hit known by (distance, rank) found again among the held objects of the cell in which it
   // lies; set is null where that cell is not held.

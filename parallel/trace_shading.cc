@@ -56,7 +56,8 @@ void TraceProcess::Impl::Illuminate(const RayQueue& rays, size_t count, uint32_t
 }
 
 // The hits that rows can do, against the objects that are held for good. Those that this does not
-// decide become shadow rays, of which there are as many as it returns.
+// decide, since something transparent or a cell that is not held may be in the way, become shadow
+// rays, of which there are as many as it returns.
 size_t TraceProcess::Impl::IlluminateByRows(const RayQueue& rays, size_t count, uint32_t number) {
   const Light& light = *scene->lights[number];
   rows->Trace(*scene, *own, light, &counts);
@@ -74,12 +75,15 @@ size_t TraceProcess::Impl::IlluminateByRows(const RayQueue& rays, size_t count, 
     ++undecided;
   };
   if (!tracer->owns_all()) {
+    uint8_t foreign[kRaysPerStep];
+    tracer->FindForeign(rows->shadow_rays(light), foreign, &counts);
+    rows->ForEachUnblocked(foreign, leave_undecided);
+    // Where an earlier light is waited for, later ones are kept.
     for (size_t h = 0; h < count; ++h) {
-      if (!rows->blocked(h)) leave_undecided(h);
+      if (batch.aside[h] != kNotAside && !rows->blocked(h)) leave_undecided(h);
     }
-  } else if (scene->any_transparent) {
-    rows->ForEachCrossed(leave_undecided);
   }
+  if (scene->any_transparent) rows->ForEachCrossed(leave_undecided);
   rows->AddUp(*own, light);
   return undecided;
 }

@@ -37,7 +37,8 @@ namespace rayshade::parallel {
   X(fetched_object) /* the same while tracing, in the hierarchy of a cell */                     \
   X(lent_object)    /* at the owner of a fetched object: looked up and encoded */                \
   X(sample)         /* a sample handed out or put into the picture */                            \
-  X(process_ray)    /* a ray of a trace process, besides: the sequential renderer keeps none */  \
+  X(process_ray)    /* a trace process's ray, not a shadow ray, besides: it keeps them, … */   \
+                    /* … and the sequential renderer does not */                               \
   X(step)           /* a step of a process, whatever it does */                                  \
   X(send)           /* a message, at its sender */                                               \
   X(receive)        /* a message, at its receiver */                                             \

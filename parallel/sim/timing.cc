@@ -17,6 +17,12 @@ double RaysBetween(const WorkDone& before, const WorkDone& after) {
   return Difference(after.counts.total_rays(), before.counts.total_rays());
 }
 
+// A trace process keeps no shadow rays: most are traced where they are spawned, in rows.
+double KeptRaysBetween(const WorkDone& before, const WorkDone& after) {
+  return RaysBetween(before, after) -
+         Difference(after.counts.shadow_rays, before.counts.shadow_rays);
+}
+
 // Rays, operations and objects of `after` that are not in `before`.
 double CostBetween(const Machine& m, const WorkDone& before, const WorkDone& after) {
   const OpCounts &a = before.counts, &b = after.counts;
@@ -64,7 +70,7 @@ size_t MachineTiming::NodeOf(ProcessId process) const {
 double MachineTiming::StepSeconds(ProcessId, const WorkDone& before, const WorkDone& after) {
   random_ = MixBits(random_);
   const double besides = machine_.slowness * machine_.node_slowness * machine_.process_ray *
-                         RaysBetween(before, after);
+                         KeptRaysBetween(before, after);
   return (machine_.step + CostBetween(machine_, before, after) + besides) *
          (1 + machine_.jitter * UnitOf(random_));
 }

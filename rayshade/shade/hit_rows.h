@@ -26,7 +26,12 @@ class HitRows : public PointLightRows {
   // Calls visit(s) for each hit whose light is not blocked, but maybe crossed.
   template <class Visit>
   void ForEachCrossed(Visit visit) const {
-    ForEachRow([this](size_t row) { return EightOf(crossed_, row) & ~EightOf(blocked_, row); },
+    ForEachUnblocked(crossed_, visit);
+  }
+  // Calls visit(s) for each hit whose light is not blocked and whose row's flag is 1.
+  template <class Visit>
+  void ForEachUnblocked(const uint8_t* flags, Visit visit) const {
+    ForEachRow([&](size_t row) { return EightOf(flags, row) & ~EightOf(blocked_, row); },
                [&](size_t row) { visit(order_.hit(row)); });
   }
   void TakeOut(size_t s) { blocked_[order_.row(s)] = 1; }

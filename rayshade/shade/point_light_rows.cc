@@ -79,26 +79,30 @@ void PointLightRows::Aim(const Vector& position, const ObjectSet& objects) {
 
 void PointLightRows::Trace(const Scene& scene, const ObjectSet& objects, const Light& light,
                            OpCounts* counts) {
-  const Vector& at = *light.position();
-  Aim(at, objects);
+  Aim(*light.position(), objects);
   done_count_ = CountOf(done_);
   const size_t traced = count_ - CountOf(blocked_);
   counts->light_samples += done_count_;
   counts->shadow_rays += traced;
   std::fill_n(crossed_, count_, uint8_t{0});
   if (traced == 0) return;
-  const double reach = std::max({reach_, std::abs(at.x), std::abs(at.y), std::abs(at.z)});
-  objects.Block({{point_[0], point_[1], point_[2]},
-                 {toward_[0], toward_[1], toward_[2]},
-                 distance_,
-                 time_,
-                 {at.x, at.y, at.z},
-                 reach,
-                 blocked_,
-                 scene.any_transparent ? crossed_ : nullptr,
-                 static_cast<uint32_t>(count_)},
-                counts);
+  ShadowRows rays = shadow_rays(light);
+  if (!scene.any_transparent) rays.crossed = nullptr;
+  objects.Block(rays, counts);
   counts->shadow_hits += CountOf(blocked_) - (count_ - traced);
+}
+
+ShadowRows PointLightRows::shadow_rays(const Light& light) {
+  const Vector& at = *light.position();
+  return {{point_[0], point_[1], point_[2]},
+          {toward_[0], toward_[1], toward_[2]},
+          distance_,
+          time_,
+          {at.x, at.y, at.z},
+          std::max({reach_, std::abs(at.x), std::abs(at.y), std::abs(at.z)}),
+          blocked_,
+          crossed_,
+          static_cast<uint32_t>(count_)};
 }
 
 LightSample PointLightRows::Sample(const Light& light, uint32_t number, size_t s) const {

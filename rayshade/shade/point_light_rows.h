@@ -31,6 +31,8 @@ class PointLightRows {
   // One light for the hits of Set: samples it and traces the shadow rays of those that the rows can
   // do, and counts all of this. REQUIRES: Suit(scene, light).
   void Trace(const Scene& scene, const ObjectSet& objects, const Light& light, OpCounts* counts);
+  // The shadow rays of the last Trace, row by row.
+  ShadowRows shadow_rays(const Light& light);
   // No light: none of the hits is done.
   void Clear();
 

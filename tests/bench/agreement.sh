@@ -4,9 +4,10 @@
 # (all three, in turn, unless one is named). Prints each comparison with its bar; the status is 0 where all are met.
 # AGREEMENT_ROUNDS (default 3): real figures are the medians of so many runs, with the least and the largest behind them where
 # they differ. AGREEMENT_PIXELS (default 512).
-# A shared machine is not equally fast all the time: each run has a sequential run of balls4 before and behind it, and its own
-# time is taken in proportion to what the simulator tells of that one. Where other programs take over a fifth of a processor
-# during these, the run is made again, AGREEMENT_TRIES times (default 3) at most; what remains disturbed is counted.
+# A shared machine is not equally fast all the time, and slower where more of it is at work: each run has sequential runs of
+# balls4 before and behind it, at once on as many processors as the run has trace processes for, and its own time is taken in
+# proportion to what the machine's constants tell of them. Where other programs take over a fifth of a processor during these,
+# the run is made again, AGREEMENT_TRIES times (default 3) at most; what remains disturbed is counted.
 set -u
 cd "$(dirname "$0")/../.." || exit 2
 build=$(cd "$1" && pwd) || exit 2
@@ -30,23 +31,33 @@ each() { # each FUNCTION: FUNCTION NAME SCENE OPTIONS...
 }
 # Seconds of processors in use by anyone, and of a host that takes them away.
 in_use() { awk -v hz="$(getconf CLK_TCK)" '/^cpu / { print ($2 + $3 + $4 + $7 + $8 + $9) / hz }' /proc/stat; }
-# Of the run beside: seconds, and how much of a processor other programs took meanwhile.
-beside() {
-  local before TIMEFORMAT='%R %U %S'
-  before=$(in_use)
+# Of so many runs beside, at once: seconds of one, and how much of a processor other programs took meanwhile.
+beside() { # beside RUNS
+  local before i TIMEFORMAT='%R %U %S'
+  before=$(in_use) && rm -f "$out"/beside.*.json
   {
-    time "$build/rayshade" -q -R 512 512 --stats "$out/beside.json" -O "$out/beside.png" "$build/calibrate/balls4.ray"
-  } 2>"$out/beside.time" || exit 1
-  awk -v seconds="$(value "$out/beside.json" trace_seconds)" -v used="$(in_use)" -v before="$before" \
-    '{ print seconds, (used - before - $2 - $3) / $1 }' "$out/beside.time"
+    time {
+      for ((i = 1; i <= $1; i++)); do
+        "$build/rayshade" -q -R 512 512 --stats "$out/beside.$i.json" -O "$out/beside.$i.png" "$build/calibrate/balls4.ray" &
+      done
+      wait
+    }
+  } 2>"$out/beside.time"
+  for ((i = 1; i <= $1; i++)); do value "$out/beside.$i.json" trace_seconds || exit 1; done |
+    awk -v used="$(in_use)" -v before="$before" -v times="$(cat "$out/beside.time")" \
+      '{ sum += $1 } END { split(times, t, " "); print sum / NR, (used - before - t[2] - t[3]) / t[1] }'
+}
+at_once() { # NAME, which ends with the number of trace processes
+  local processors; processors=$(nproc)
+  echo $((${1##*-} < processors ? ${1##*-} : processors))
 }
 measure() {
-  local name=$1 scene=$2 i try before after; shift 2
+  local name=$1 scene=$2 runs=$(at_once "$1") i try before after; shift 2
   for ((i = 1; i <= rounds; i++)); do
     for ((try = 1; try <= tries; try++)); do
-      before=$(beside) || exit 1
+      before=$(beside "$runs") || exit 1
       "$build/prayshade" "$@" --stats "$out/$name.$i.json" -O "$out/$name.png" "$out/$scene.ray" || exit 1
-      after=$(beside) || exit 1
+      after=$(beside "$runs") || exit 1
       awk -v a="${before#* }" -v b="${after#* }" 'BEGIN { exit !(a <= .2 && b <= .2) }' && break
     done
     awk -v seconds="$(value "$out/$name.$i.json" trace_seconds)" -v a="${before% *}" -v b="${after% *}" -v disturbed=$((try > tries)) \
@@ -74,7 +85,7 @@ bar() { # bar NAME WHAT REAL... SIMULATED PERCENT: as many real figures as there
 }
 compare() {
   local name=$1 key percent=10
-  bar "$name" trace_seconds $(awk -v told="$(value "$out/beside-sim.json" sequential_seconds)" '{ print told * $1 }' "$out/$name.times") "$(value "$out/$name-sim.json" trace_seconds)" 20
+  bar "$name" trace_seconds $(told_beside "$name") "$(value "$out/$name-sim.json" trace_seconds)" 20
   [[ $name != *data-parallel* ]] || percent=0
   for key in rays.primary rays.shadow rays.reflected operations.hits operations.shadow_hits forwarded_rays; do
     bar "$name" "${key#*.}" $(of_rounds value "$name" $key) "$(value "$out/$name-sim.json" $key)" $percent
@@ -82,6 +93,11 @@ compare() {
   for key in messages bytes_sent; do
     bar "$name" $key $(of_rounds traced "$name" $key) "$(traced "$out/$name-sim.json" $key)" 10
   done
+}
+told_beside() { # real times, in proportion to what is told of the runs beside
+  awk -v told="$(value "$out/beside-sim.json" sequential_seconds)" -v runs="$(at_once "$1")" '
+    FILENAME == ARGV[1] { if ($1 == "contention") told *= 1 + $2 * (runs - 1); next }
+    { print told * $1 }' "$build/this.machine" "$out/$1.times"
 }
 of_rounds() { # of_rounds FUNCTION NAME KEY
   local json

@@ -8,8 +8,8 @@
 #   3. messages: ping_pong over PVM, by the project's own transport;
 #   4. machines: writes BUILD/this.machine, which `make agreement` uses, brings the lines of parallel/sim/machines/*.machine
 #      that are tagged `measured` up to date, and fits powerxplorer's slowness anew.
-# CALIBRATE_ROUNDS (default 5): the least time counts. Operations and contention are in processor time: other programs that
-# run meanwhile do not count, though they do share caches and memory.
+# CALIBRATE_ROUNDS (default 5): of operations and messages the least time counts. Operations and contention are in processor
+# time: other programs that run meanwhile do not count, though they do share caches and memory.
 set -u
 cd "$(dirname "$0")/../.." || exit 2
 build=$(cd "$1" && pwd) || exit 2
@@ -62,7 +62,7 @@ measure_operations() { # FILE: for fit.awk
   grep -v '^lights-.*-build' "$out/rounds.txt" | least >>"$1"  # there nothing is distributed
 }
 
-# Contention: processor time of two sequential runs side by side, against that of one.
+# Contention: processor time of two sequential runs side by side, against that of one just before; the median.
 processor_seconds() { # SCENE N: of N runs at once, each
   local i
   {
@@ -78,12 +78,12 @@ measure_contention() {
     for scene in balls5 balls6 room8; do
       echo "$scene $(processor_seconds "$scene" 1) $(processor_seconds "$scene" 2)"
     done
-  done | awk -v processors="$(nproc)" '
-    !($1 in alone) || $2 < alone[$1] { alone[$1] = $2 }
-    !($1 in twin) || $3 < twin[$1] { twin[$1] = $3 }
+  done | awk '{ print $3 / $2 - 1 }' | sort -g | awk -v processors="$(nproc)" '
+    { more[NR] = $1 }
     END {
-      for (s in alone) { sum += twin[s] / alone[s] - 1; n++; printf "%s: two at once take %.3f times as long\n", s, twin[s] / alone[s] >"/dev/stderr" }
-      printf "contention %.3g\n", (processors > 1 && sum > 0 ? sum / n : 0)
+      median = more[int((NR + 1) / 2)]
+      printf "two at once take %.3f times as long\n", 1 + median >"/dev/stderr"
+      printf "contention %.3g\n", (processors > 1 && median > 0 ? median : 0)
     }' >"$out/contention.txt"
 }
 

@@ -83,7 +83,9 @@ class MeasuredProcess : public Process {
     done->packed += counting.sent;
     done->unpacked += received;
     OpCounts& counts = done->work.counts;
-    counts.primary_rays += after.counts.total_rays() - before.counts.total_rays();
+    const uint64_t shadow_rays = after.counts.shadow_rays - before.counts.shadow_rays;
+    counts.shadow_rays += shadow_rays;
+    counts.primary_rays += after.counts.total_rays() - before.counts.total_rays() - shadow_rays;
     counts.node_visits += after.counts.node_visits - before.counts.node_visits;
     counts.primitive_tests += after.counts.primitive_tests - before.counts.primitive_tests;
     counts.lone_visits += after.counts.lone_visits - before.counts.lone_visits;
@@ -112,7 +114,7 @@ void Print(const std::string& name, const Done& done) {
        {c.total_rays(), c.node_visits - c.lone_visits, c.primitive_tests - c.lone_tests,
         c.lone_visits, c.lone_tests, c.cell_steps, c.cell_tests, c.shades, c.light_samples,
         done.work.objects_taken, done.work.objects_fetched, done.work.objects_lent,
-        done.work.samples, done.packed, done.unpacked, c.total_rays()})
+        done.work.samples, done.packed, done.unpacked, c.total_rays() - c.shadow_rays})
     std::printf(" %llu", static_cast<unsigned long long>(n));
   std::printf("\n");
 }
