@@ -112,8 +112,6 @@ $(call object,$(wildcard rayshade/scene/*.cc)): | $(GEN)/rayshade/scene/grammar.
 $(OBJ)/rayshade/accel/%_avx2.o: CXXFLAGS += $(OPTIMIZE_KERNELS) -mavx2 -mbmi -mbmi2
 $(OBJ)/rayshade/accel/%_avx512.o: CXXFLAGS += $(OPTIMIZE_KERNELS) -mavx512f -mavx512dq -mavx512vl -mavx512bw -mprefer-vector-width=512
 $(OBJ)/rayshade/accel/%_plain.o: CXXFLAGS += $(OPTIMIZE_KERNELS)
-# Its loops over rays in rows vectorize.
-$(OBJ)/parallel/cell_tracer.o: CXXFLAGS += $(OPTIMIZE_KERNELS)
 
 $(OBJ)/%.o: %.cc
 	@mkdir -p $(@D)

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "parallel/pyraclip.h"
 #include "rayshade/common/check.h"
@@ -14,32 +13,6 @@ namespace {
 
 // A known hit is searched for from so much in front of it, relatively.
 constexpr double kLocateWindow = 1e-6;
-// Shadow rays from neighbouring rows that are clipped as one.
-constexpr size_t kRowsOfPyramid = 64;
-
-struct RowsOfPyramid {
-  double origin[3][kRowsOfPyramid], inverse[3][kRowsOfPyramid];
-  double limit[kRowsOfPyramid];  // negative: no ray
-
-  // Sets the flags of those that Intersect(box, ray) lets meet the box, and of some beside it: what
-  // it widens intervals by is more than what inverses are off by. In loops that vectorize.
-  void Meet(const Bounds& box, uint64_t* meets) const {
-    constexpr double kWider = 1 + 4e-9;
-    double entry[kRowsOfPyramid] = {}, exit[kRowsOfPyramid];
-    std::copy_n(limit, kRowsOfPyramid, exit);
-    for (int axis = 0; axis < 3; ++axis) {
-      const double low = box.low[axis], high = box.high[axis];
-      for (size_t i = 0; i < kRowsOfPyramid; ++i) {
-        const double a = (low - origin[axis][i]) * inverse[axis][i];
-        const double b = (high - origin[axis][i]) * inverse[axis][i];
-        const double near = a < b ? a : b, far = a < b ? b : a;
-        entry[i] = near > entry[i] ? near : entry[i];
-        exit[i] = far < exit[i] ? far : exit[i];
-      }
-    }
-    for (size_t i = 0; i < kRowsOfPyramid; ++i) meets[i] |= entry[i] <= exit[i] * kWider;
-  }
-};
 
 }  // namespace
 
@@ -129,23 +102,26 @@ void CellTracer::NearestByClipList(const Pyramid& pyramid, std::span<const Ray> 
                                    std::span<const Travel> travel, std::span<Hit> hits,
                                    std::span<Halt> halts, OpCounts* counts) {
   double limit = 0;
-  for (const Hit& hit : hits) limit = std::max(limit, hit.distance);
+  rows_.Clear(rays.size());
+  for (size_t i = 0; i < rays.size(); ++i) {
+    limit = std::max(limit, hits[i].distance);
+    rows_.Set(i, rays[i].origin, rays[i].direction, hits[i].distance);
+  }
   const auto skip = [this](uint32_t node) { return all_owned_[node] != 0; };
   for (const ClippedCell& clipped : PyraClip(*tree_, pyramid, limit, skip)) {
     ++counts->cell_steps;
+    counts->cell_tests += rays.size();
     some_.clear();
     some_rays_.clear();
     some_hits_.clear();
     const ObjectSet* set = Searched(clipped.cell);
-    for (size_t i = 0; i < rays.size(); ++i) {
-      if (clipped.entry > hits[i].distance) continue;
-      if (set == nullptr && clipped.entry > halts[i].entry) continue;
-      ++counts->cell_tests;
+    rows_.ForEachMeeting(boxes_[clipped.cell], [&](size_t i) {
+      if (set == nullptr && clipped.entry > halts[i].entry) return;
       const RayInterval interval =
           Intersect(boxes_[clipped.cell], rays[i].origin, rays[i].direction);
       if (interval.empty() || interval.exit < 0 || interval.entry > hits[i].distance ||
           Before(interval, clipped.cell, rays[i], travel[i].resume)) {
-        continue;
+        return;
       }
       if (set != nullptr) {
         some_.push_back(static_cast<uint32_t>(i));
@@ -155,11 +131,14 @@ void CellTracer::NearestByClipList(const Pyramid& pyramid, std::span<const Ray> 
                  (interval.entry == halts[i].entry && clipped.cell < halts[i].cell)) {
         halts[i] = {clipped.cell, interval.entry};
       }
-    }
+    });
     if (set == nullptr || some_.empty()) continue;
     cache_hits_ += some_.size();
     set->Nearest(some_rays_, some_hits_, counts);
-    for (size_t k = 0; k < some_.size(); ++k) hits[some_[k]] = some_hits_[k];
+    for (size_t k = 0; k < some_.size(); ++k) {
+      hits[some_[k]] = some_hits_[k];
+      rows_.SetLimit(some_[k], some_hits_[k].distance);
+    }
   }
   for (const Halt& halt : halts) cache_misses_ += halt.cell != kNoCell;
 }
@@ -292,69 +271,76 @@ void CellTracer::Shadows(std::span<Shadow> shadows, OpCounts* counts) {
 void CellTracer::ShadowsByClipList(const Pyramid& pyramid, std::span<Shadow*> shadows,
                                    OpCounts* counts) {
   double limit = 0;
-  for (const Shadow* s : shadows) limit = std::max(limit, s->limit);
+  rows_.Clear(shadows.size());
+  for (size_t i = 0; i < shadows.size(); ++i) {
+    limit = std::max(limit, shadows[i]->limit);
+    rows_.Set(i, shadows[i]->ray->origin, shadows[i]->ray->direction, shadows[i]->limit);
+  }
   const auto skip = [this](uint32_t node) { return all_owned_[node] != 0; };
   std::vector<Shadow*> here;
   for (const ClippedCell& clipped : PyraClip(*tree_, pyramid, limit, skip)) {
     ++counts->cell_steps;
+    counts->cell_tests += shadows.size();
     here.clear();
+    some_.clear();
     const ObjectSet* set = cache_->Find(clipped.cell);
-    for (Shadow* s : shadows) {
-      if (s->blocked || (set == nullptr && clipped.entry > s->halt.entry)) continue;
-      ++counts->cell_tests;
+    rows_.ForEachMeeting(boxes_[clipped.cell], [&](size_t i) {
+      Shadow* const s = shadows[i];
+      if (set == nullptr && clipped.entry > s->halt.entry) return;
       const Ray& ray = *s->ray;
       const RayInterval interval = Intersect(boxes_[clipped.cell], ray.origin, ray.direction);
       if (interval.empty() || interval.exit < 0 || interval.entry > s->limit ||
           Before(interval, clipped.cell, ray, s->resume)) {
-        continue;
+        return;
       }
       if (set != nullptr) {
         here.push_back(s);
+        some_.push_back(static_cast<uint32_t>(i));
       } else if (interval.entry < s->halt.entry ||
                  (interval.entry == s->halt.entry && clipped.cell < s->halt.cell)) {
         s->halt = {clipped.cell, interval.entry};
       }
-    }
+    });
     if (set == nullptr || here.empty()) continue;
     cache_hits_ += here.size();
     Cross(*set, here, counts);
+    for (size_t k = 0; k < here.size(); ++k) {
+      if (here[k]->blocked) rows_.SetLimit(some_[k], -1);
+    }
   }
   for (const Shadow* s : shadows) cache_misses_ += !s->blocked && s->halt.cell != kNoCell;
 }
 
-void CellTracer::FindForeign(const ShadowRows& rows, uint8_t* foreign, OpCounts* counts) const {
+void CellTracer::FindForeign(const ShadowRows& rows, uint8_t* foreign, OpCounts* counts) {
   const auto skip = [this](uint32_t node) { return all_owned_[node] != 0; };
-  RowsOfPyramid some{};
-  for (size_t begin = 0; begin < rows.count; begin += kRowsOfPyramid) {
-    const size_t count = std::min(kRowsOfPyramid, rows.count - begin);
+  std::fill_n(foreign, rows.count, uint8_t{0});
+  for (size_t begin = 0; begin < rows.count; begin += RayRows::kRow) {
+    const size_t end = std::min<size_t>(begin + RayRows::kRow, rows.count);
     Pyramid pyramid;
-    double limit = -1;
-    size_t rays = 0;
-    std::fill_n(some.limit, kRowsOfPyramid, -1.0);
-    for (size_t i = 0; i < count; ++i) {
-      if (rows.blocked[begin + i]) continue;
-      Vector origin, direction;
-      for (int axis = 0; axis < 3; ++axis) {
-        origin[axis] = some.origin[axis][i] = rows.origin[axis][begin + i];
-        const double d = direction[axis] = rows.direction[axis][begin + i];
-        some.inverse[axis][i] = 1 / (std::abs(d) < kAlongPlanes ? kAlongPlanes : d);
-      }
+    double limit = 0;
+    size_t left = 0;
+    rows_.Clear(RayRows::kRow);
+    for (size_t i = begin; i < end; ++i) {
+      if (rows.blocked[i]) continue;
+      const Vector origin{rows.origin[0][i], rows.origin[1][i], rows.origin[2][i]};
+      const Vector direction{rows.direction[0][i], rows.direction[1][i], rows.direction[2][i]};
       pyramid.origins.Include(origin);
       pyramid.directions.Include(direction);
-      some.limit[i] = rows.limits[begin + i];
-      limit = std::max(limit, some.limit[i]);
-      ++rays;
+      limit = std::max(limit, rows.limits[i]);
+      rows_.Set(i - begin, origin, direction, rows.limits[i]);
+      ++left;
     }
-    uint64_t meets[kRowsOfPyramid] = {};
-    if (rays > 0) {
-      for (const ClippedCell& clipped : PyraClip(*tree_, pyramid, limit, skip)) {
-        ++counts->cell_steps;
-        counts->cell_tests += rays;
-        some.Meet(boxes_[clipped.cell], meets);
-        if (std::accumulate(meets, meets + kRowsOfPyramid, uint64_t{0}) == rays) break;
-      }
+    if (left == 0) continue;
+    for (const ClippedCell& clipped : PyraClip(*tree_, pyramid, limit, skip)) {
+      ++counts->cell_steps;
+      counts->cell_tests += left;
+      rows_.ForEachMeeting(boxes_[clipped.cell], [&](size_t i) {
+        foreign[begin + i] = 1;
+        rows_.SetLimit(i, -1);
+        --left;
+      });
+      if (left == 0) break;
     }
-    std::copy_n(meets, count, foreign + begin);
   }
 }
 

@@ -18,6 +18,7 @@
 #include "parallel/message.h"
 #include "parallel/object_cache.h"
 #include "parallel/pyramid.h"
+#include "parallel/ray_rows.h"
 #include "rayshade/accel/object_set.h"
 #include "rayshade/common/op_counts.h"
 #include "rayshade/common/ray.h"
@@ -68,7 +69,7 @@ class CellTracer {
   // foreign[i] becomes 1 where shadow ray i of the rows is not blocked and meets a cell before its
   // limit that is not held for good, or nearly; else 0, and the objects that are held for good say
   // all about it.
-  void FindForeign(const ShadowRows& rows, uint8_t* foreign, OpCounts* counts) const;
+  void FindForeign(const ShadowRows& rows, uint8_t* foreign, OpCounts* counts);
 
   // A hit known by (distance, rank) found again among the held objects of the cell in which it
   // lies; set is null where that cell is not held.
@@ -117,6 +118,7 @@ class CellTracer {
   uint64_t cache_hits_ = 0, cache_misses_ = 0;
   // Scratch, to spare allocations.
   CellWalk walk_;
+  RayRows rows_;
   std::vector<Ray> some_rays_;
   std::vector<Hit> some_hits_;
   std::vector<uint32_t> some_;

@@ -13,6 +13,7 @@
 #include "rayshade/accel/bundles.inl"
 #include "rayshade/accel/ray_arrays.inl"
 #include "rayshade/accel/group.inl"
+#include "rayshade/accel/box_rows.inl"
 #include "rayshade/accel/light_rows.inl"
 #include "rayshade/accel/rows.inl"
 // clang-format on

@@ -124,6 +124,17 @@ struct ShadowRows {
   uint32_t count;
 };
 
+// Rays and a box. Rows as in AimRows; inverse: of the directions' components, none of which is 0.
+struct BoxRows {
+  const double* origin[3];
+  const double* inverse[3];
+  const double* limit;
+  uint32_t count;  // at most 64
+  double low[3], high[3];
+};
+// Intervals are taken for so much wider.
+inline constexpr double kWiderBox = 1 + 4e-9;
+
 // Which hits a light concerns, in rows as in AimRows; all bytes become 0 or 1, eight at a time.
 struct SortRows {
   const double* toward[3];
@@ -169,6 +180,8 @@ struct Kernels {
   void (*block)(const TraceView& view, const Ray* rays, const double* limits, uint8_t* blocked,
                 uint8_t* crossed, uint32_t count, OpCounts* counts);
   void (*block_rows)(const TraceView& view, const ShadowRows& rows, OpCounts* counts);
+  // Which rays are in the box somewhere between 0 and their limit: bits.
+  uint64_t (*meet_box)(const BoxRows& rows);
   void (*aim)(const AimRows& rows);
   void (*sort)(const SortRows& rows);
   void (*add_diffuse)(const DiffuseRows& rows);

@@ -1,0 +1,17 @@
+// Rays in rows against one box; part of trace.inl.
+
+RAYSHADE_ROUTINE uint64_t MeetBox(const BoxRows& r) {
+  uint64_t meets = 0;
+  for (uint32_t i = 0; i < r.count; i += 8) {
+    D8 entry = SetD(0), exit = LoadD(r.limit + i);
+    for (int axis = 0; axis < 3; ++axis) {
+      const D8 origin = LoadD(r.origin[axis] + i), inverse = LoadD(r.inverse[axis] + i);
+      const D8 a = (SetD(r.low[axis]) - origin) * inverse;
+      const D8 b = (SetD(r.high[axis]) - origin) * inverse;
+      entry = Max(entry, Min(a, b));
+      exit = Min(exit, Max(a, b));
+    }
+    meets |= uint64_t{LessEqual(entry, exit * SetD(kWiderBox))} << i;
+  }
+  return meets;
+}
