@@ -8,8 +8,10 @@
 #   3. messages: ping_pong over PVM, by the project's own transport;
 #   4. machines: writes BUILD/this.machine, which `make agreement` uses, brings the lines of parallel/sim/machines/*.machine
 #      that are tagged `measured` up to date, and fits powerxplorer's slowness anew.
-# CALIBRATE_ROUNDS (default 5): of operations and messages the least time counts. Operations and contention are in processor
-# time: other programs that run meanwhile do not count, though they do share caches and memory.
+# CALIBRATE_ROUNDS (default 5): of messages the least time counts. Operations and contention are in processor time: other
+# programs that run meanwhile do not count, though they do share caches and memory, and a shared machine is not equally fast all
+# the time. So each run of operations has a sequential run of balls4 before it, its own time is taken in proportion to the
+# least of those, and the median of all rounds counts.
 set -u
 cd "$(dirname "$0")/../.." || exit 2
 build=$(cd "$1" && pwd) || exit 2
@@ -29,7 +31,14 @@ echo "$view sphere s .001 0 0 3" >"$out/sky.ray"
 echo "$view plane s 0 0 -1 0 -.7 1" >"$out/plane.ray"
 { echo "$view"; for i in {1..30}; do echo "light .03 point $i 1 20"; done; echo "plane s 0 0 -1 0 -.7 1"; } >"$out/lights.ray"
 
-# Of the lines on standard input, for each name (the first field) that with the least time (the second).
+# Of the lines on standard input, for each name (the first field) that with the median time (the second).
+medians() {
+  sort -k1,1 -k2,2g | awk 'function take() { if (n > 0) print line[int((n + 1) / 2)] }
+    $1 != name { take(); name = $1; n = 0 }
+    { line[++n] = $0 }
+    END { take() }'
+}
+# The same with the least time.
 least() { awk '!($1 in least) || $2 < least[$1] { least[$1] = $2; line[$1] = $0 } END { for (name in line) print line[name] }' | sort; }
 
 sequential_run() { # SCENE PIXELS: a line for fit.awk
@@ -43,23 +52,32 @@ sequential_run() { # SCENE PIXELS: a line for fit.awk
   for name in cell_steps cell_tests shades light_samples; do line="$line $(value "$out/run.json" operations.$name)"; done
   echo "$line 0 0 0 $((2 * $(value "$out/run.json" rays.primary))) 0 0 0"
 }
+# Lines of a command, behind the seconds of a run of balls4.
+beside() {
+  local lines beside
+  beside=$(sequential_run balls4 512 | awk '{ print $2 }') && [ -n "$beside" ] || fail "balls4"
+  lines=$("$@") || fail "$*"
+  sed "s/^/$beside /" <<<"$lines"
+}
 # Rounds, not runs of one scene, follow each other: where the machine is slow for a while, all are.
 measure_operations() { # FILE: for fit.awk
   local i scene pixels schedule processes
   "$build/step_costs" >"$1" || fail "step_costs"
   for ((i = 0; i < rounds; i++)); do
     for scene in sky plane lights balls4 balls5 balls6 room8 room30; do
-      for pixels in 256 512; do sequential_run $scene $pixels; done
+      for pixels in 256 512; do beside sequential_run $scene $pixels; done
     done
     for scene in lights balls4 balls5 balls6 room8; do
       for schedule in data-parallel hybrid; do
         for processes in 1 3; do
-          "$build/step_costs" "$scene-$schedule-$processes" "$out/$scene.ray" 256 $schedule $processes || fail "step_costs $scene"
+          beside "$build/step_costs" "$scene-$schedule-$processes" "$out/$scene.ray" 256 $schedule $processes
         done
       done
     done
   done >"$out/rounds.txt"
-  grep -v '^lights-.*-build' "$out/rounds.txt" | least >>"$1"  # there nothing is distributed
+  awk 'NR == FNR { if (NR == 1 || $1 < least) least = $1; next }
+    $2 ~ /^lights-.*-build$/ { next }  # there nothing is distributed
+    { $3 *= least / $1; sub(/^[^ ]+ /, ""); print }' "$out/rounds.txt" "$out/rounds.txt" | medians >>"$1"
 }
 
 # Contention: processor time of two sequential runs side by side, against that of one just before; the median.
