@@ -1,4 +1,5 @@
-// Rays in rows against one box; part of trace.inl.
+// Rays in rows against one box; part of trace.inl. An axis along which a ray's distances are no
+// numbers does not count: Max and Min return their second argument then.
 
 RAYSHADE_ROUTINE uint64_t MeetBox(const BoxRows& r) {
   uint64_t meets = 0;
@@ -8,8 +9,8 @@ RAYSHADE_ROUTINE uint64_t MeetBox(const BoxRows& r) {
       const D8 origin = LoadD(r.origin[axis] + i), inverse = LoadD(r.inverse[axis] + i);
       const D8 a = (SetD(r.low[axis]) - origin) * inverse;
       const D8 b = (SetD(r.high[axis]) - origin) * inverse;
-      entry = Max(entry, Min(a, b));
-      exit = Min(exit, Max(a, b));
+      entry = Max(Min(a, b), entry);
+      exit = Min(Max(a, b), exit);
     }
     meets |= uint64_t{LessEqual(entry, exit * SetD(kWiderBox))} << i;
   }
