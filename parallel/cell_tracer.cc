@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "parallel/pyraclip.h"
 #include "rayshade/common/check.h"
 
 namespace rayshade::parallel {
@@ -59,6 +58,11 @@ void CellTracer::Walk(const Ray& ray, double limit, Visit visit, OpCounts* count
   counts->cell_steps += walk_.Visit(ray.origin, ray.direction, limit, skip, visit);
 }
 
+// The cells that a pyramid meets and that are not owned.
+std::vector<ClippedCell> CellTracer::ClipList(const Pyramid& pyramid, double limit) const {
+  return PyraClip(*tree_, pyramid, limit, [this](uint32_t node) { return all_owned_[node] != 0; });
+}
+
 void CellTracer::Nearest(std::span<const Ray> rays, std::span<const Travel> travel,
                          std::span<Hit> hits, std::span<Halt> halts, OpCounts* counts) {
   const size_t n = rays.size();
@@ -107,8 +111,7 @@ void CellTracer::NearestByClipList(const Pyramid& pyramid, std::span<const Ray> 
     limit = std::max(limit, hits[i].distance);
     rows_.Set(i, rays[i].origin, rays[i].direction, hits[i].distance);
   }
-  const auto skip = [this](uint32_t node) { return all_owned_[node] != 0; };
-  for (const ClippedCell& clipped : PyraClip(*tree_, pyramid, limit, skip)) {
+  for (const ClippedCell& clipped : ClipList(pyramid, limit)) {
     ++counts->cell_steps;
     counts->cell_tests += rays.size();
     some_.clear();
@@ -276,9 +279,8 @@ void CellTracer::ShadowsByClipList(const Pyramid& pyramid, std::span<Shadow*> sh
     limit = std::max(limit, shadows[i]->limit);
     rows_.Set(i, shadows[i]->ray->origin, shadows[i]->ray->direction, shadows[i]->limit);
   }
-  const auto skip = [this](uint32_t node) { return all_owned_[node] != 0; };
   std::vector<Shadow*> here;
-  for (const ClippedCell& clipped : PyraClip(*tree_, pyramid, limit, skip)) {
+  for (const ClippedCell& clipped : ClipList(pyramid, limit)) {
     ++counts->cell_steps;
     counts->cell_tests += shadows.size();
     here.clear();
@@ -312,7 +314,6 @@ void CellTracer::ShadowsByClipList(const Pyramid& pyramid, std::span<Shadow*> sh
 }
 
 void CellTracer::FindForeign(const ShadowRows& rows, uint8_t* foreign, OpCounts* counts) {
-  const auto skip = [this](uint32_t node) { return all_owned_[node] != 0; };
   std::fill_n(foreign, rows.count, uint8_t{0});
   for (size_t begin = 0; begin < rows.count; begin += RayRows::kRow) {
     const size_t end = std::min<size_t>(begin + RayRows::kRow, rows.count);
@@ -331,7 +332,7 @@ void CellTracer::FindForeign(const ShadowRows& rows, uint8_t* foreign, OpCounts*
       ++left;
     }
     if (left == 0) continue;
-    for (const ClippedCell& clipped : PyraClip(*tree_, pyramid, limit, skip)) {
+    for (const ClippedCell& clipped : ClipList(pyramid, limit)) {
       ++counts->cell_steps;
       counts->cell_tests += left;
       rows_.ForEachMeeting(boxes_[clipped.cell], [&](size_t i) {

@@ -17,6 +17,7 @@
 #include "parallel/cell_walk.h"
 #include "parallel/message.h"
 #include "parallel/object_cache.h"
+#include "parallel/pyraclip.h"
 #include "parallel/pyramid.h"
 #include "parallel/ray_rows.h"
 #include "rayshade/accel/object_set.h"
@@ -92,6 +93,7 @@ class CellTracer {
     RayInterval interval;
   };
   bool Before(const RayInterval& interval, CellId cell, const Ray& ray, CellId resume) const;
+  std::vector<ClippedCell> ClipList(const Pyramid& pyramid, double limit) const;
   template <class Visit>
   void Walk(const Ray& ray, double limit, Visit visit, OpCounts* counts);
   void NearestByClipList(const Pyramid& pyramid, std::span<const Ray> rays,

@@ -19,8 +19,9 @@ class RayRows {
 
   // Makes room for so many rays; there are none yet.
   void Clear(size_t rays) {
-    rows_.resize((rays + kRow - 1) / kRow);
-    for (Row& row : rows_) std::fill_n(row.limit, kRow, -1.0);
+    used_ = (rays + kRow - 1) / kRow;
+    if (rows_.size() < used_) rows_.resize(used_);
+    for (size_t r = 0; r < used_; ++r) std::fill_n(rows_[r].limit, kRow, -1.0);
   }
   void Set(size_t ray, const Vector& origin, const Vector& direction, double limit) {
     Row& row = rows_[ray / kRow];
@@ -40,7 +41,7 @@ class RayRows {
   // off by.
   template <class Visit>
   void ForEachMeeting(const Bounds& box, Visit visit) const {
-    for (size_t r = 0; r < rows_.size(); ++r) {
+    for (size_t r = 0; r < used_; ++r) {
       const Row& row = rows_[r];
       for (uint64_t meet = kernels_->meet_box({{row.origin[0], row.origin[1], row.origin[2]},
                                                {row.inverse[0], row.inverse[1], row.inverse[2]},
@@ -61,7 +62,8 @@ class RayRows {
   };
 
   const Kernels* kernels_ = &ChooseKernels();
-  std::vector<Row> rows_;
+  std::vector<Row> rows_;  // never fewer than before: new ones would be cleared each time
+  size_t used_ = 0;
 };
 
 }  // namespace rayshade::parallel
