@@ -3,24 +3,43 @@
 // one bundle as long as their pyramid stays narrow; a group that is too wide by itself is traced
 // ray by ray.
 
+// The very operations of Normalize (common/vector.h). Returns the lengths.
+RAYSHADE_KERNEL D8 NormalizeEach(D8* v) {
+  const D8 length = Sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  const uint32_t near = Less(length, SetD(kEpsilon));
+  for (int k = 0; k < 3; ++k) {
+    const D8 unit = v[k] / length;
+    v[k] = near == 0 ? unit : Choose(near, v[k], unit);
+  }
+  return near == 0 ? length : Choose(near, SetD(0), length);
+}
+
+// The very operations of Camera (render/camera.cc).
+RAYSHADE_ROUTINE void Look(const ScreenRows& s) {
+  for (uint32_t i = 0; i < s.count; i += 8) {
+    const D8 x = LoadD(s.place[0] + i), y = LoadD(s.place[1] + i);
+    D8 direction[3];
+    for (int k = 0; k < 3; ++k) {
+      direction[k] = SetD(s.corner[k]) + x * SetD(s.step[0][k]) + y * SetD(s.step[1][k]);
+    }
+    NormalizeEach(direction);
+    for (int k = 0; k < 3; ++k) Store(direction[k], s.direction[k] + i);
+  }
+}
+
 RAYSHADE_ROUTINE void Aim(const AimRows& a) {
   for (uint32_t i = 0; i < a.count; i += 8) {
-    // The very operations of TowardPosition and Normalize (light/point.h, common/vector.h).
+    // The very operations of TowardPosition (light/point.h).
     D8 toward[3];
     for (int k = 0; k < 3; ++k) toward[k] = SetD(a.position[k]) - LoadD(a.point[k] + i);
-    const D8 length = Sqrt(toward[0] * toward[0] + toward[1] * toward[1] + toward[2] * toward[2]);
-    const uint32_t near = Less(length, SetD(kEpsilon));
+    const D8 distance = NormalizeEach(toward);
     D8 cosine = SetD(0);
-    for (int k = 0; k < 3; ++k) {
-      const D8 unit = toward[k] / length;
-      toward[k] = near == 0 ? unit : Choose(near, toward[k], unit);
-      Store(toward[k], a.toward[k] + i);
-    }
+    for (int k = 0; k < 3; ++k) Store(toward[k], a.toward[k] + i);
     for (int k = 0; k < 3; ++k) {
       const D8 part = toward[k] * LoadD(a.normal[k] + i);
       cosine = k == 0 ? part : cosine + part;
     }
-    Store(near == 0 ? length : Choose(near, SetD(0), length), a.distance + i);
+    Store(distance, a.distance + i);
     Store(cosine, a.cosine + i);
   }
 }

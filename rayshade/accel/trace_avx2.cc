@@ -19,7 +19,7 @@ namespace {
 #include "rayshade/accel/trace.inl"
 }  // namespace
 
-const Kernels kAvx2Kernels = {"avx2", Nearest, Block,      BlockRows, MeetBox,
-                              Aim,    Sort,    AddDiffuse, Shine};
+const Kernels kAvx2Kernels = {"avx2", Nearest, Block, BlockRows,  MeetBox,
+                              Look,   Aim,     Sort,  AddDiffuse, Shine};
 
 }  // namespace rayshade

@@ -18,7 +18,7 @@ namespace {
 #include "rayshade/accel/trace.inl"
 }  // namespace
 
-const Kernels kPlainKernels = {"plain", Nearest, Block,      BlockRows, MeetBox,
-                               Aim,     Sort,    AddDiffuse, Shine};
+const Kernels kPlainKernels = {"plain", Nearest, Block, BlockRows,  MeetBox,
+                               Look,    Aim,     Sort,  AddDiffuse, Shine};
 
 }  // namespace rayshade

@@ -98,6 +98,15 @@ struct TraceView {
   TraceCallbacks callbacks;
 };
 
+// Places on a screen as their eye sees them, corner + place[0] * step[0] + place[1] * step[1] from
+// it. Rows as in AimRows.
+struct ScreenRows {
+  const double* place[2];
+  uint32_t count;
+  double corner[3], step[2][3];
+  double* direction[3];  // as Normalize leaves it
+};
+
 // Points and where something stands as seen from them. Rows are read and written in groups of
 // eight: there must be room, and in the last group numbers that can be computed with.
 struct AimRows {
@@ -182,6 +191,7 @@ struct Kernels {
   void (*block_rows)(const TraceView& view, const ShadowRows& rows, OpCounts* counts);
   // Which rays are in the box somewhere between 0 and their limit: bits.
   uint64_t (*meet_box)(const BoxRows& rows);
+  void (*look)(const ScreenRows& rows);
   void (*aim)(const AimRows& rows);
   void (*sort)(const SortRows& rows);
   void (*add_diffuse)(const DiffuseRows& rows);

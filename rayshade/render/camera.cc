@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "rayshade/accel/trace_view.h"
 #include "rayshade/render/sample_numbers.h"
 #include "rayshade/scene/scene.h"
 
@@ -64,7 +65,8 @@ Camera::Camera(const Settings& settings, int frame)
     : settings_(settings),
       frame_key_(FrameKey(settings.seed, frame)),
       window_(CroppedWindow(settings)),
-      low_discrepancy_(settings.pattern == SamplePattern::kLowDiscrepancy) {
+      low_discrepancy_(settings.pattern == SamplePattern::kLowDiscrepancy),
+      kernels_(ChooseKernels()) {
   const Axes axes = ViewAxes(settings);
   eye_ = axes.eye;
   direction_ = axes.direction;
@@ -83,6 +85,11 @@ Camera::Camera(const Settings& settings, int frame)
   cell_ = filter_width_ * (1.0 / settings.samples);
   frame_start_ = settings.start_time + frame * settings.frame_length;
   if (ObjectsAreStale(settings, frame)) frozen_time_ = frame_start_ + settings.shutter;
+  one_alike_ = settings.samples == 1 && !settings.jitter && !low_discrepancy_;
+  Ray first;
+  double x, y;
+  Place({}, &first, &x, &y);
+  fresh_.assign(kTogether, first);
 }
 
 uint16_t Camera::SingleSubCell(int x, int y) const {
@@ -92,26 +99,40 @@ uint16_t Camera::SingleSubCell(int x, int y) const {
 }
 
 Ray Camera::PrimaryRay(const Sample& sample) const {
-  Ray ray;
+  Ray ray = fresh_[0];
   SetPrimaryRays({&sample, 1}, &ray);
   return ray;
 }
 
 void Camera::AppendPrimaryRays(std::span<const Sample> samples, std::vector<Ray>* rays) const {
-  static const std::vector<Ray> fresh(kTogether);  // copied as a whole, not member by member
   rays->reserve(rays->size() + samples.size());
   for (size_t i = 0; i < samples.size(); i += kTogether) {
     const auto some = samples.subspan(i, std::min(kTogether, samples.size() - i));
-    rays->insert(rays->end(), fresh.begin(), fresh.begin() + static_cast<ptrdiff_t>(some.size()));
+    rays->insert(rays->end(), fresh_.begin(), fresh_.begin() + static_cast<ptrdiff_t>(some.size()));
     SetPrimaryRays(some, rays->data() + rays->size() - some.size());
   }
 }
 
-// Square roots and divisions of many rays come together: each takes its time, but not for itself.
+// Of up to kTogether rays that are copies of a fresh one.
 void Camera::SetPrimaryRays(std::span<const Sample> samples, Ray* rays) const {
   const size_t count = samples.size();
-  for (size_t i = 0; i < count; ++i) SetOnScreen(samples[i], &rays[i]);
-  for (size_t i = 0; i < count; ++i) Normalize(&rays[i].direction);
+  double x[kTogether], y[kTogether], direction[3][kTogether];
+  for (size_t i = 0; i < count; ++i) {
+    if (one_alike_) {
+      PlaceOneAlike(samples[i], &rays[i], &x[i], &y[i]);
+    } else {
+      Place(samples[i], &rays[i], &x[i], &y[i]);
+    }
+  }
+  for (size_t i = count; i % 8 != 0; ++i) x[i] = y[i] = 0;
+  kernels_.look({{x, y},
+                 static_cast<uint32_t>(count),
+                 {corner_.x, corner_.y, corner_.z},
+                 {{step_x_.x, step_x_.y, step_x_.z}, {step_y_.x, step_y_.y, step_y_.z}},
+                 {direction[0], direction[1], direction[2]}});
+  for (size_t i = 0; i < count; ++i) {
+    rays[i].direction = {direction[0][i], direction[1][i], direction[2][i]};
+  }
   if (!(settings_.aperture > 0)) return;
   for (size_t i = 0; i < count; ++i) MoveOnLens(samples[i], &rays[i]);
 }
@@ -129,14 +150,20 @@ int Camera::NumberOf(const Sample& sample) const {
   return low_discrepancy_ && n >= 6 ? number - 1 : number;
 }
 
-// All but the lens; the direction is not yet of unit length.
-inline void Camera::SetOnScreen(const Sample& sample, Ray* primary) const {
+// Where there is one sample per pixel, in its middle: what is not as in a fresh ray.
+inline void Camera::PlaceOneAlike(const Sample& sample, Ray* ray, double* x, double* y) const {
+  const int px = sample.x + window_.minx, py = sample.y + window_.miny;
+  ray->key = SampleKey(frame_key_, px, py, 0);
+  *x = px - .5 * filter_width_;
+  *y = py - .5 * filter_width_;
+}
+
+// All of the ray but its direction, and the place on the screen.
+void Camera::Place(const Sample& sample, Ray* primary, double* place_x, double* place_y) const {
   Ray& ray = *primary;
   const int n = settings_.samples;
   const int px = sample.x + window_.minx, py = sample.y + window_.miny;
-  // Nearly every pixel of a picture without contrast has one sample: no division for it.
-  const int a = sample.sub_cell == 0 ? 0 : sample.sub_cell % n;
-  const int b = sample.sub_cell == 0 ? 0 : sample.sub_cell / n;
+  const int a = sample.sub_cell % n, b = sample.sub_cell / n;
   ray.key = SampleKey(frame_key_, px, py, sample.sub_cell);
   const int number = NumberOf(sample);
   ray.sample_number = number;
@@ -159,8 +186,9 @@ inline void Camera::SetOnScreen(const Sample& sample, Ray* primary) const {
     x += place.x * cell;
     y += place.y * cell;
   }
+  *place_x = x;
+  *place_y = y;
   ray.origin = eye_;
-  ray.direction = corner_ + x * step_x_ + y * step_y_;
 
   // Moment, by the sub-cell's number.
   ray.time = frame_start_;

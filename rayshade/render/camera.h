@@ -15,6 +15,8 @@
 
 namespace rayshade {
 
+struct Kernels;
+
 // The part of the screen that is rendered, in absolute pixels, both ends included; row 0 is the top
 // row.
 struct PictureWindow {
@@ -52,7 +54,8 @@ class Camera {
 
  private:
   void SetPrimaryRays(std::span<const Sample> samples, Ray* rays) const;
-  void SetOnScreen(const Sample& sample, Ray* ray) const;
+  void Place(const Sample& sample, Ray* ray, double* x, double* y) const;
+  void PlaceOneAlike(const Sample& sample, Ray* ray, double* x, double* y) const;
   void MoveOnLens(const Sample& sample, Ray* ray) const;
   PlaceInCell PlaceIn(const Ray& ray, RandomUse use_x, RandomUse use_y, int column, int row) const;
   int NumberOf(const Sample& sample) const;  // in the order tables
@@ -67,6 +70,9 @@ class Camera {
   double filter_width_ = 0, cell_ = 0;  // of a sub-cell
   double frame_start_ = 0;
   std::optional<double> frozen_time_;  // of all rays
+  const Kernels& kernels_;
+  bool one_alike_ = false;  // samples differ in their pixels only
+  std::vector<Ray> fresh_;  // rays that have what is the same for all, to be copied
 };
 
 // What is wrong with the view or the sampling, in Rayshade's words, or "".

@@ -34,24 +34,38 @@ struct PixelSampling::Impl {
       if (walk.done()) return samples;
       pixels = TilePixels(walk.Next(most));
     }
-    samples.reserve(std::min(most, pixels.left()));
-    for (; !pixels.done() && samples.size() < most; pixels.Next())
-      samples.push_back({pixels.x(), pixels.y(), 0, pixels.y() > 0});
+    samples.resize(std::min(most, pixels.left()));
+    for (size_t i = 0; i < samples.size();) {
+      const int run = static_cast<int>(std::min<size_t>(pixels.run(), samples.size() - i));
+      for (int k = 0; k < run; ++k) samples[i++] = {pixels.x() + k, pixels.y(), 0, pixels.y() > 0};
+      pixels.Skip(run);
+    }
     return samples;
   }
 
   // The picture is larger than any cache. Always inline: a function that only fetches counts as one
   // without effect, and calls of it would be left out.
   [[gnu::always_inline]] void Prefetch(const Sample& sample) {
-    if (sample.y < picture.height()) __builtin_prefetch(&picture.at(sample.x, sample.y), 1);
+    if (sample.y >= picture.height()) return;
+    const auto* const bytes = reinterpret_cast<const char*>(&picture.at(sample.x, sample.y));
+    for (size_t at = 0; at < kGroupWidth * sizeof(PixelValue); at += 64) {
+      __builtin_prefetch(bytes + at, 1);
+    }
   }
 
-  void PutOfOne(const Sample& sample, const RayResult& result) {
-    if (sample.y < picture.height()) {
-      picture.at(sample.x, sample.y) = {result.color, result.hit ? 1.0 : 0.0, sample.y == 0};
+  // Samples of one row at a time.
+  void PutOfOne(std::span<const Sample> samples, std::span<const RayResult> results) {
+    for (size_t begin = 0, end; begin < samples.size(); begin = end) {
+      if (begin + kAhead < samples.size()) Prefetch(samples[begin + kAhead]);
+      const int y = samples[begin].y;
+      for (end = begin; end < samples.size() && samples[end].y == y; ++end) {
+        if (y == picture.height()) continue;
+        const RayResult& result = results[end];
+        picture.at(samples[end].x, y) = {result.color, result.hit ? 1.0 : 0.0, y == 0};
+      }
+      put += end - begin;
+      missing[y] -= static_cast<int>(end - begin);
     }
-    ++put;
-    if (--missing[sample.y] > 0) return;
     while (rows < static_cast<int>(missing.size()) && missing[rows] == 0) ++rows;
   }
 
@@ -113,10 +127,7 @@ void PixelSampling::Put(std::span<const Sample> samples, std::span<const RayResu
   if (impl_->adaptive) {
     for (size_t i = 0; i < samples.size(); ++i) impl_->adaptive->Put(samples[i], results[i]);
   } else {
-    for (size_t i = 0; i < samples.size(); ++i) {
-      if (i + kAhead < samples.size()) impl_->Prefetch(samples[i + kAhead]);
-      impl_->PutOfOne(samples[i], results[i]);
-    }
+    impl_->PutOfOne(samples, results);
   }
 }
 

@@ -70,9 +70,14 @@ class TilePixels {
   // REQUIRES: !done().
   int x() const { return x_; }
   int y() const { return y_; }
-  void Next() {
-    --left_;
-    if (++x_ < group_.x + group_.width) return;
+  // From here to the end of the group's row.
+  int run() const { return group_.x + group_.width - x_; }
+  void Next() { Skip(1); }
+  // REQUIRES: 1 <= count <= run().
+  void Skip(int count) {
+    left_ -= static_cast<size_t>(count);
+    x_ += count;
+    if (x_ < group_.x + group_.width) return;
     x_ = group_.x;
     if (++y_ < group_.y + group_.height) return;
     if (!Advance(block_, kGroupWidth, kGroupHeight, &group_)) {
