@@ -38,8 +38,11 @@ class Builder {
   explicit Builder(const BuildInput& input) : objects_(input), in_(objects_.input()) {}
 
   BuildOutput Run() {
-    out_.leaf_begins.resize((in_.spheres.size() + 63) / 64);
     if (objects_.sphere_count() + objects_.ref_count() == 0) return std::move(out_);
+    if (objects_.sphere_count() > 0) {
+      out_.leaf_begins.resize(in_.spheres.size() / 64 + 2);
+      BeginLeaf(static_cast<uint32_t>(in_.spheres.size()));
+    }
     pieces_ = DivideIntoPieces(&objects_);
     out_.nodes.push_back(Node{});
     FillUpperNode(0, 0, 0);
@@ -252,11 +255,13 @@ class Builder {
     return box;
   }
 
+  void BeginLeaf(uint32_t sphere) { out_.leaf_begins[sphere / 64] |= uint64_t{1} << (sphere % 64); }
+
   // Lays the spheres down as rows.
   Box MakeSphereLeaf(const Range& range, uint64_t* branch) {
     const uint32_t count = range.count(), first = next_sphere_;
     *branch = MakeBranch(kSphereLeaf, first, count);
-    out_.leaf_begins[first / 64] |= uint64_t{1} << (first % 64);
+    BeginLeaf(first);
     double* rows = &in_.spheres[first].x;
     Box box = Box::Empty();
     for (uint32_t i = 0; i < count; ++i) {

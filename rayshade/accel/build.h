@@ -37,7 +37,7 @@ struct BuildInput {
 
 struct BuildOutput {
   GrowingArray<Node> nodes;            // the root first; empty where there is nothing
-  GrowingArray<uint64_t> leaf_begins;  // one bit a sphere
+  GrowingArray<uint64_t> leaf_begins;  // one bit a sphere, one behind all, and a word
 };
 
 // Permutes spheres, keys and refs. In the leaves, first counts spheres (kSphereLeaf), or refs.

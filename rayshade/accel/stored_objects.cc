@@ -278,21 +278,15 @@ const double* StoredObjects::SphereRow(uint32_t object, uint32_t* stride) const 
     *stride = 1;
     return &spheres_[object].x;
   }
-  // A leaf begins at one of the kLeafSize objects up to this one, and the next at one of as many
-  // behind it, or there is none.
-  const auto bits_from = [&](uint32_t i) {
-    const uint32_t word = i / 64, shift = i % 64;
-    const uint64_t next = word + 1 < leaf_begins.size() ? leaf_begins[word + 1] : 0;
-    return leaf_begins[word] >> shift | next << 1 << (63 - shift);
-  };
+  // A leaf begins at one of the kLeafSize objects up to this one, and the next, or what is behind
+  // the last, at one of as many behind it.
   const uint32_t from = object < kLeafSize ? 0 : object - kLeafSize + 1;
-  const uint64_t up_to = bits_from(from) & ((uint64_t{2} << (object - from)) - 1);
+  const uint32_t word = from / 64, shift = from % 64, at = object - from;
+  static_assert(2 * kLeafSize <= 64);
+  const uint64_t begins = leaf_begins[word] >> shift | leaf_begins[word + 1] << 1 << (63 - shift);
+  const uint64_t up_to = begins & ((uint64_t{2} << at) - 1);
   const uint32_t first = from + static_cast<uint32_t>(std::bit_width(up_to)) - 1;
-  uint32_t end = sphere_count();
-  if (object + 1 < end) {
-    end =
-        std::min(end, object + 1 + static_cast<uint32_t>(std::countr_zero(bits_from(object + 1))));
-  }
+  const uint32_t end = object + 1 + static_cast<uint32_t>(std::countr_zero(begins >> at >> 1));
   *stride = end - first;
   return &spheres_[first].x + (object - first);
 }
