@@ -170,11 +170,7 @@ RAYSHADE_KERNEL void Enlist(Walker* w, Lists* lists) {
       lists->base[kind] + (static_cast<size_t>(ChildOf(w->next)) << lists->shift[kind]);
   // An inner node has no count. Lines behind a leaf are not asked for.
   static_assert(sizeof(Node) == 256 && 4 * sizeof(double) == 32);
-  const uint32_t last = (CountOf(w->next) * 32 - 1) & 255;
-  __builtin_prefetch(place);
-  __builtin_prefetch(place + (last < 64 ? last : 64));
-  __builtin_prefetch(place + (last < 128 ? last : 128));
-  __builtin_prefetch(place + last);
+  for (size_t at = 0; at < sizeof(Node); at += 64) __builtin_prefetch(place + at);
 }
 
 RAYSHADE_KERNEL void VisitNodes(const TraceView& view, bool sorted, Lists* lists,
