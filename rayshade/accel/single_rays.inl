@@ -68,6 +68,23 @@ RAYSHADE_KERNEL float FloatAbove(double x) {
   return f + __builtin_fabsf(f) * 1.2e-7f;
 }
 
+// near_plane and far_plane, by which components of the direction are negative.
+struct PlanesByDirection {
+  uint32_t of[8][6];
+
+  constexpr PlanesByDirection() : of() {
+    for (uint32_t negative = 0; negative < 8; ++negative) {
+      for (uint32_t axis = 0; axis < 3; ++axis) {
+        const uint32_t low = axis * kPlaneBytes, high = low + 3 * kPlaneBytes;
+        const bool swap = (negative >> axis & 1) != 0;
+        of[negative][axis] = swap ? high : low;
+        of[negative][3 + axis] = swap ? low : high;
+      }
+    }
+  }
+};
+constexpr PlanesByDirection kPlanesByDirection;
+
 RAYSHADE_KERNEL void SetUp(const TraceView& view, const Ray& ray, RayWork* w, SlabRay* s) {
   // Origin, direction, least distance and time, as they lie in Ray and in RayWork.
   static_assert(__builtin_offsetof(Ray, time) == 7 * sizeof(double));
@@ -81,21 +98,17 @@ RAYSHADE_KERNEL void SetUp(const TraceView& view, const Ray& ray, RayWork* w, Sl
   Store(Rounded(all), w->rounded);
   const F8 relative = Rounded(all - LoadD(view.center));
   const F8 margin = Size(relative) * SetF(1.2e-7f);
-  const F8 inverse = Rounded(SetD(1) / Max(SetD(kSmallestDirection), Max(all, SetD(0) - all)));
-  alignas(32) float origins[2][8], inverses[8];
-  Store(relative + margin, origins[0]);
-  Store(relative - margin, origins[1]);
-  Store(inverse, inverses);
-  for (uint32_t axis = 0; axis < 3; ++axis) {
-    // By place instead of by branches, which rays of all directions take by chance.
-    const uint32_t negative = __builtin_signbit(w->d[axis]) != 0;
-    const uint32_t low = axis * kPlaneBytes, up = 3 * kPlaneBytes;
-    s->near_origin[axis] = origins[negative][axis];
-    s->far_origin[axis] = origins[1 - negative][axis];
-    s->inverse[axis] = __builtin_copysignf(inverses[3 + axis], w->rounded[3 + axis]);
-    s->near_plane[axis] = low + negative * up;
-    s->far_plane[axis] = low + (1 - negative) * up;
-  }
+  const F8 above = relative + margin, below = relative - margin;
+  // The direction, in the lanes of the origin.
+  const D8 direction = LoadD(&ray.direction.x), opposite = SetD(0) - direction;
+  const uint32_t negative = Less(direction, SetD(0)) & 7;
+  const F8 inverse = Rounded(SetD(1) / Max(SetD(kSmallestDirection), Max(direction, opposite)));
+  // Three lanes each: the others are written again by what comes behind.
+  static_assert(__builtin_offsetof(SlabRay, inverse) + 32 <= sizeof(SlabRay));
+  Store(Choose(negative, below, above), s->near_origin);
+  Store(Choose(negative, above, below), s->far_origin);
+  Store(Choose(negative, SetF(0) - inverse, inverse), s->inverse);
+  __builtin_memcpy(s->near_plane, kPlanesByDirection.of[negative], 6 * sizeof(uint32_t));
   s->least = FloatBelow(ray.min_distance) * (2 - kSlack);
 }
 
@@ -142,10 +155,11 @@ RAYSHADE_KERNEL uint32_t SpheresOnRay(const double* rows, int count, const RayWo
   const F8 px = cx - b * dx, py = cy - b * dy, pz = cz - b * dz;
   const F8 off = (Size(b) + radius) * SetF(2e-6f), reach = radius + off;
   const F8 squared = px * px + py * py + pz * pz, left = reach * reach - squared;
-  const F8 root = Sqrt(left) + off;
-  const uint32_t out = Less(left, SetF(0)) | Less(SetF(most), b - root) |
-                       Less(b + root, SetF(w.rounded[6] * 0.999999f));
-  return ~out & ((1u << count) - 1);
+  // Both intersections lie beyond `most`, or before the least distance, where the root of what is
+  // left is smaller than what the middle is away from there.
+  const F8 beyond = b - SetF(most), before = SetF(w.rounded[6] * 0.999999f) - b;
+  const F8 away = Max(Max(beyond, before) - off, SetF(0));
+  return ~Less(left, away * away) & ((1u << count) - 1);
 }
 
 // A sphere against a ray: the very operations of IntersectSphere (geom/sphere.h), for a hit in

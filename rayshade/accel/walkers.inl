@@ -95,7 +95,7 @@ RAYSHADE_KERNEL void PutAtBeginning(const LoneRay& lone, double limit, Walker* w
 struct Encounter {
   Walker* walker;
   uint32_t met;
-  uint32_t lane;  // of the nearest child (any one, where the walk is not sorted), if there is one
+  uint32_t lane;  // of the nearest child, if there is one, in a sorted walk
 };
 
 // Looks into a node.
@@ -104,27 +104,29 @@ RAYSHADE_KERNEL Encounter LookIntoNode(const TraceView& view, bool sorted, Walke
   F8 entry, end;
   MeetChildren(node, w->slab, w->most, &entry, &end);
   const uint32_t met = LessEqual(entry, end);
-  if (sorted) Store(entry, w->frames[w->top].entry);
-  return {w, met,
-          sorted ? LaneOfLeast(entry, end) : static_cast<uint32_t>(__builtin_ctz(met | 0x80))};
+  if (!sorted) return {w, met, 0};
+  Store(entry, w->frames[w->top].entry);
+  return {w, met, LaneOfLeast(entry, end)};
 }
 
-// Next is the child of the lane, or if none was met, what waits on the stack.
-RAYSHADE_KERNEL void Descend(const TraceView& view, const Encounter& e) {
+// Next is a child that was met, of a sorted walk the nearest, or if none was, what waits on the
+// stack.
+RAYSHADE_KERNEL void Descend(const TraceView& view, bool sorted, const Encounter& e) {
   Walker* const w = e.walker;
-  const uint64_t* const branch = view.nodes[ChildOf(w->next)].branch;
   const uint32_t top = w->top;
-  w->frames[top].branch = branch;
-  // Both are read, and one is chosen by bits, or the compiler makes it a branch.
-  const Frame& below = w->frames[top - 1];
-  const uint64_t none = e.met == 0 ? ~uint64_t{0} : 0;
-  const uint64_t waiting_next = below.branch[__builtin_ctz(below.waiting)];
-  const uint32_t left_below = below.waiting & (below.waiting - 1);
-  const uint32_t left = e.met & ~(1u << e.lane);
-  w->next = (waiting_next & none) | (branch[e.lane] & ~none);
-  const uint32_t waiting = left | (left_below & static_cast<uint32_t>(none));
-  const uint32_t frame = top + static_cast<uint32_t>(none);
-  w->frames[frame].waiting = waiting;
+  w->frames[top].branch = view.nodes[ChildOf(w->next)].branch;
+  w->frames[top].waiting = e.met;
+  const uint32_t frame = top - (e.met == 0);
+  Frame& f = w->frames[frame];
+  uint32_t lane = static_cast<uint32_t>(__builtin_ctz(f.waiting));
+  if (sorted) {
+    // Chosen by bits, or the compiler makes it a branch.
+    const uint32_t none = e.met == 0 ? ~0u : 0;
+    lane = (lane & none) | (e.lane & ~none);
+  }
+  w->next = f.branch[lane];
+  const uint32_t waiting = f.waiting & ~(1u << lane);
+  f.waiting = waiting;
   w->top = frame + (waiting != 0);
 }
 
@@ -149,12 +151,16 @@ RAYSHADE_KERNEL void Prune(Walker* w) {
 constexpr int kKinds = kAtBottom + 1;
 struct Lists {
   Walker* of[kKinds][kWalkers];
-  uint32_t count[kKinds] = {};
+  Walker** end[kKinds];
   const char* base[kKinds];
   uint32_t shift[kKinds] = {};  // of a number, for bytes
+
+  uint32_t count(int kind) const { return static_cast<uint32_t>(end[kind] - of[kind]); }
+  void Clear(int kind) { end[kind] = of[kind]; }
 };
 
-RAYSHADE_KERNEL void SetPlaces(const TraceView& view, Lists* lists) {
+RAYSHADE_KERNEL void SetUp(const TraceView& view, Lists* lists) {
+  for (int kind = 0; kind < kKinds; ++kind) lists->Clear(kind);
   for (const char*& base : lists->base) base = reinterpret_cast<const char*>(view.nodes);
   lists->shift[kInnerNode] = 8;
   if (view.sphere_count > 0) {
@@ -165,7 +171,7 @@ RAYSHADE_KERNEL void SetPlaces(const TraceView& view, Lists* lists) {
 
 RAYSHADE_KERNEL void Enlist(Walker* w, Lists* lists) {
   const LeafKind kind = KindOf(w->next);
-  lists->of[kind][lists->count[kind]++] = w;
+  *lists->end[kind]++ = w;
   const char* const place =
       lists->base[kind] + (static_cast<size_t>(ChildOf(w->next)) << lists->shift[kind]);
   // An inner node has no count. Lines behind a leaf are not asked for.
@@ -177,14 +183,14 @@ RAYSHADE_KERNEL void VisitNodes(const TraceView& view, bool sorted, Lists* lists
                                 Counters* counters) {
   // The list is written again while this is worked on.
   Encounter at[kWalkers];
-  const uint32_t count = lists->count[kInnerNode];
-  lists->count[kInnerNode] = 0;
+  const uint32_t count = lists->count(kInnerNode);
+  lists->Clear(kInnerNode);
   counters->nodes += count;
   counters->lone_nodes += count;
   for (uint32_t i = 0; i < count; ++i) {
     at[i] = LookIntoNode(view, sorted, lists->of[kInnerNode][i]);
   }
-  for (uint32_t i = 0; i < count; ++i) Descend(view, at[i]);
+  for (uint32_t i = 0; i < count; ++i) Descend(view, sorted, at[i]);
   for (uint32_t i = 0; i < count; ++i) Enlist(at[i].walker, lists);
 }
 
@@ -193,18 +199,20 @@ RAYSHADE_KERNEL void VisitLeaves(const TraceView& view, const Job& job, LeafKind
                                  Counters* counters) {
   Walker* at[kWalkers];
   Encounter tested[kWalkers];
-  const uint32_t count = lists->count[kind];
-  lists->count[kind] = 0;
-  uint32_t tests = 0;
+  const uint32_t count = lists->count(kind);
+  lists->Clear(kind);
+  uint32_t tests = 0, objects = 0;
   for (uint32_t i = 0; i < count; ++i) {
     Walker* const w = at[i] = lists->of[kind][i];
-    CountTests(view, kind, w->next, 1, counters);
-    counters->lone_tests += CountOf(w->next);
+    if (kind == kOtherLeaf) CountTests(view, kind, w->next, 1, counters);
+    objects += CountOf(w->next);
     const uint32_t bits = LookIntoLeaf(view, kind, w->next, w->work, w->most);
     tested[tests] = {w, bits, 0};
     tests += bits != 0;
     __builtin_prefetch(view.keys + (bits != 0 ? ChildOf(w->next) : 0));
   }
+  counters->lone_tests += objects;
+  if (kind != kOtherLeaf) counters->flat_tests[kind] += objects;
   for (uint32_t i = 0; i < tests; ++i) AtLeaf(job, kind, tested[i].met, tested[i].walker);
   for (uint32_t i = 0; i < count; ++i) {
     Pop(at[i]);
@@ -220,7 +228,7 @@ RAYSHADE_KERNEL void Walk(const TraceView& view, const Job& job, uint32_t count,
                           Counters* counters) {
   Walker walkers[kWalkers];
   Lists lists;
-  SetPlaces(view, &lists);
+  SetUp(view, &lists);
   const uint32_t used = count < kWalkers ? count : kWalkers;
   for (uint32_t i = 0; i < used; ++i) lists.of[kAtBottom][i] = walkers + i;
   uint32_t ended = used, begun = 0, at_work = used;
@@ -240,10 +248,10 @@ RAYSHADE_KERNEL void Walk(const TraceView& view, const Job& job, uint32_t count,
     VisitNodes(view, Job::kSorted, &lists, counters);
     VisitLeaves(view, job, kSphereLeaf, &lists, counters);
     for (const LeafKind kind : {kEmptySlot, kTriangleLeaf, kPolygonLeaf, kOtherLeaf}) {
-      if (lists.count[kind] != 0) VisitLeaves(view, job, kind, &lists, counters);
+      if (lists.count(kind) != 0) VisitLeaves(view, job, kind, &lists, counters);
     }
-    ended = lists.count[kAtBottom];
-    lists.count[kAtBottom] = 0;
+    ended = lists.count(kAtBottom);
+    lists.Clear(kAtBottom);
     for (uint32_t i = 0; i < ended; ++i) End(job, lists.of[kAtBottom][i]);
   }
 }
