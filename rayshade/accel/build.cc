@@ -13,13 +13,15 @@ namespace rayshade {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-// Below, halves are taken: at most kPieceMax objects, five levels of eight.
+// Divided pieces that together hold no more than this are built on as one: where pieces meet, nodes
+// are not full.
+constexpr uint32_t kJoinedMax = 4 * kPieceMax;
+// Below, halves are taken: at most kJoinedMax objects, six levels of eight.
 constexpr int kDepthOfHeuristic = kPieceDepth;
 static_assert(kDepthOfHeuristic + 7 <= kDepthMax);
 // The cost of looking into a node, and of testing an object of a leaf, in units of each other.
 constexpr float kSplitCost = 1.0f;
-constexpr float kObjectCost = 0.35f;
-constexpr uint32_t kSmallLeaf = 6;
+constexpr float kObjectCost = 0.2f;
 // A sphere's computed hits lie on a sphere whose radius is off by rounding: by less than this part
 // of its coordinates.
 constexpr double kRoundingOfSpheres = 1e-14;
@@ -68,9 +70,13 @@ class Builder {
     return {F4{r.low[0], r.low[1], r.low[2], 0}, F4{r.high[0], r.high[1], r.high[2], 0}};
   }
 
+  bool IsBuiltOn(const Piece& piece) const {
+    return !piece.divided() || piece.count() <= kJoinedMax;
+  }
+
   // A node whose branches are pieces.
   Box FillUpperNode(uint32_t index, uint32_t piece, int depth) {
-    if (!pieces_[piece].divided()) return FillNode(index, Load(pieces_[piece]), depth);
+    if (IsBuiltOn(pieces_[piece])) return FillNode(index, Load(pieces_[piece]), depth);
     uint32_t parts[kNodeWidth] = {pieces_[piece].parts[0], pieces_[piece].parts[1]};
     int count = 2;
     for (int largest = 0; count < kNodeWidth && largest >= 0;) {
@@ -78,7 +84,7 @@ class Builder {
       float largest_area = -1;
       for (int i = 0; i < count; ++i) {
         const float area = pieces_[parts[i]].box.HalfArea();
-        if (!pieces_[parts[i]].divided() || area <= largest_area) continue;
+        if (IsBuiltOn(pieces_[parts[i]]) || area <= largest_area) continue;
         largest = i;
         largest_area = area;
       }
@@ -215,7 +221,7 @@ class Builder {
     }
     // Branches left over when the node was full are leaves where they are small.
     for (int i = 0; i < count; ++i) {
-      if (!leaf[i]) leaf[i] = parts[i].count() <= kSmallLeaf && OneKind(parts[i]);
+      if (!leaf[i]) leaf[i] = parts[i].count() <= kLeafSize && OneKind(parts[i]);
     }
     return WriteNode(index, parts, leaf, count, depth);
   }
