@@ -78,15 +78,18 @@ DataParallelFeed::DataParallelFeed(const Camera* camera, const CellTree* tree, P
 size_t DataParallelFeed::HandOut(size_t room, PixelSampling* sampling, Outbox* outbox) {
   constexpr size_t kAtOnce = 1024;
   RayPacker packer(processes_);
+  std::vector<Ray> rays;
   size_t handed_out = 0;
   while (handed_out < room) {
     const std::vector<Sample> samples = sampling->Next(std::min(kAtOnce, room - handed_out));
     if (samples.empty()) break;
     handed_out += samples.size();
-    for (const Sample& sample : samples) {
-      const Ray ray = camera_->PrimaryRay(sample);
+    rays.clear();
+    camera_->AppendPrimaryRays(samples, &rays);
+    for (size_t i = 0; i < samples.size(); ++i) {
+      const Ray& ray = rays[i];
       Travel travel;
-      travel.back = {kHost, TokenOf(sample)};
+      travel.back = {kHost, TokenOf(samples[i])};
       cell_steps_ += walk_.Visit(
           ray.origin, ray.direction, kFar, [this](uint32_t node) { return all_empty_[node] != 0; },
           [&travel](CellId cell, const RayInterval&) {
