@@ -8,7 +8,7 @@
 //   have not been visited, at least one each.
 //   2. In a sorted walk all of these are entered not beyond `most`.
 
-constexpr uint32_t kWalkers = 16;
+constexpr uint32_t kWalkers = 24;
 constexpr int kAtBottom = kOtherLeaf + 1;
 constexpr uint64_t kBottomBranch[] = {uint64_t{kAtBottom} << kKindShift};
 
