@@ -174,7 +174,7 @@ RAYSHADE_KERNEL void Enlist(Walker* w, Lists* lists) {
   *lists->end[kind]++ = w;
   const char* const place =
       lists->base[kind] + (static_cast<size_t>(ChildOf(w->next)) << lists->shift[kind]);
-  // An inner node has no count. Lines behind a leaf are not asked for.
+  // As much as a node, and mostly more than a leaf: to ask for less takes longer.
   static_assert(sizeof(Node) == 256 && 4 * sizeof(double) == 32);
   for (size_t at = 0; at < sizeof(Node); at += 64) __builtin_prefetch(place + at);
 }

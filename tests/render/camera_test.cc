@@ -4,12 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <random>
 #include <set>
 #include <vector>
 
+#include "rayshade/accel/trace_view.h"
 #include "rayshade/common/keyed_random.h"
 #include "rayshade/common/sample_pattern.h"
 #include "rayshade/render/sample_numbers.h"
+#include "tests/support/kernels.h"
 
 namespace rayshade {
 namespace {
@@ -221,6 +226,74 @@ TEST(CheckView, SaysWhatIsWrongInRayshadesWords) {
   settings = Small(8, 8);
   settings.stereo = StereoEye::kLeft;
   EXPECT_EQ(CheckView(settings), "No eye separation specified for stereo rendering.");
+}
+
+// Directions of all sizes, also those that Normalize leaves as they are and those whose length is
+// no finite number.
+TEST(Camera, LooksAtPlacesAsOneByOne) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> number(-1, 1);
+  const auto some = [&] { return Vector{number(random), number(random), number(random)}; };
+  for (const double size : {1.0, 1e5, 1e-6, 1e-12, 1e-200, 1e200}) {
+    for (uint32_t count = 1; count <= 64; ++count) {
+      const Vector corner = size * some(), steps[2] = {1e-2 * size * some(), 1e-2 * size * some()};
+      std::vector<double> x(64), y(64);
+      for (uint32_t i = 1; i < count; ++i) {
+        x[i] = std::floor(1000 * number(random));
+        y[i] = std::floor(1000 * number(random));
+      }
+      std::vector<Vector> expected;
+      for (uint32_t i = 0; i < count; ++i) {
+        expected.push_back(corner + x[i] * steps[0] + y[i] * steps[1]);
+        Normalize(&expected[i]);
+      }
+      for (const char* simd : test::kAllKernels) {
+        setenv("RAYSHADE_SIMD", simd, 1);
+        double direction[3][64];
+        ChooseKernels().look(
+            {{x.data(), y.data()},
+             count,
+             {corner.x, corner.y, corner.z},
+             {{steps[0].x, steps[0].y, steps[0].z}, {steps[1].x, steps[1].y, steps[1].z}},
+             {direction[0], direction[1], direction[2]}});
+        for (uint32_t i = 0; i < count; ++i) {
+          const Vector got = {direction[0][i], direction[1][i], direction[2][i]};
+          ASSERT_EQ(std::memcmp(&got, &expected[i], sizeof got), 0)
+              << simd << " " << size << " " << i;
+        }
+        unsetenv("RAYSHADE_SIMD");
+      }
+    }
+  }
+}
+
+TEST(Camera, MakesTheSameRaysTogetherAndAlone) {
+  std::vector<Settings> all(5, Small(40, 30));
+  all[1].jitter = true;
+  all[2].samples = 3;
+  all[3].aperture = .1;
+  all[4].pattern = SamplePattern::kLowDiscrepancy;
+  for (const Settings& settings : all) {
+    const Camera camera(settings, 0);
+    std::vector<Sample> samples;
+    for (int32_t i = 0; i < 150; ++i) {
+      const auto cell = static_cast<uint16_t>(i % (settings.samples * settings.samples));
+      samples.push_back({i % 40, i / 5, cell, i % 2 == 0});
+    }
+    std::vector<Ray> together;
+    camera.AppendPrimaryRays(samples, &together);
+    ASSERT_EQ(together.size(), samples.size());
+    for (size_t i = 0; i < samples.size(); ++i) {
+      const Ray alone = camera.PrimaryRay(samples[i]), &ray = together[i];
+      EXPECT_EQ(ray.origin, alone.origin);
+      EXPECT_EQ(ray.direction, alone.direction);
+      EXPECT_EQ(ray.time, alone.time);
+      EXPECT_EQ(ray.key, alone.key);
+      EXPECT_EQ(ray.key,
+                SampleKey(settings.seed, 0, samples[i].x, samples[i].y, samples[i].sub_cell));
+      EXPECT_EQ(ray.sample_number, alone.sample_number);
+    }
+  }
 }
 
 }  // namespace
