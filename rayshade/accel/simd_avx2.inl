@@ -20,7 +20,6 @@ RAYSHADE_KERNEL uint32_t LessEqual(F8 a, F8 b) {
 
 RAYSHADE_KERNEL F8 operator/(F8 a, F8 b) { return {_mm256_div_ps(a.v, b.v)}; }
 RAYSHADE_KERNEL F8 Size(F8 a) { return {_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.v)}; }
-RAYSHADE_KERNEL F8 Sqrt(F8 a) { return {_mm256_sqrt_ps(a.v)}; }
 RAYSHADE_KERNEL uint32_t Less(F8 a, F8 b) {
   return static_cast<uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ)));
 }

@@ -18,7 +18,6 @@ RAYSHADE_KERNEL uint32_t LessEqual(F8 a, F8 b) { return _mm256_cmp_ps_mask(a.v, 
 
 RAYSHADE_KERNEL F8 operator/(F8 a, F8 b) { return {_mm256_div_ps(a.v, b.v)}; }
 RAYSHADE_KERNEL F8 Size(F8 a) { return {_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.v)}; }
-RAYSHADE_KERNEL F8 Sqrt(F8 a) { return {_mm256_sqrt_ps(a.v)}; }
 RAYSHADE_KERNEL uint32_t Less(F8 a, F8 b) { return _mm256_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ); }
 
 RAYSHADE_KERNEL D8 LoadD(const double* p) { return {_mm512_loadu_pd(p)}; }

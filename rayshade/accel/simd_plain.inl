@@ -58,11 +58,6 @@ RAYSHADE_KERNEL F8 Size(F8 a) {
   RAYSHADE_LANES r.v[i] = __builtin_fabsf(a.v[i]);
   return r;
 }
-RAYSHADE_KERNEL F8 Sqrt(F8 a) {
-  F8 r;
-  RAYSHADE_LANES r.v[i] = __builtin_sqrtf(a.v[i]);
-  return r;
-}
 RAYSHADE_KERNEL uint32_t Less(F8 a, F8 b) {
   uint32_t r = 0;
   RAYSHADE_LANES r |= static_cast<uint32_t>(a.v[i] < b.v[i]) << i;
