@@ -31,7 +31,7 @@ class ExpectedOwners {
     const size_t step = samples.size() / kTell | 1;  // odd: not always the same columns
     for (size_t i = 0; i < samples.size(); i += step) ++votes[owners_[Square(samples[i])]];
     const auto most = std::max_element(votes.begin() + 1, votes.end());
-    return *most == 0 ? kHost : static_cast<ProcessId>(most - votes.begin());
+    return most == votes.end() || *most == 0 ? kHost : static_cast<ProcessId>(most - votes.begin());
   }
 
  private:

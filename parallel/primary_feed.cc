@@ -12,9 +12,12 @@ namespace rayshade::parallel {
 constexpr size_t kPyramidsAhead = 256;
 // Most pyramids in an answer, and how many more answers of that size each process is to get.
 constexpr size_t kPyramidsAtOnce = 4, kShares = 8;
+// So many that are expected to hit nothing count as one: they are traced before the next answer
+// comes.
+constexpr size_t kVoidsAsOne = 4;
 
 PyramidFeed::Pyramid PyramidFeed::TakeFor(ProcessId process, size_t most, PixelSampling* sampling) {
-  if (owners_.empty()) return {sampling->Next(most)};
+  if (owners_.empty()) return {sampling->Next(most), process};
   while (ahead_.size() < kPyramidsAhead) {
     Pyramid next{sampling->Next(most)};
     if (next.samples.empty()) break;
@@ -46,12 +49,14 @@ size_t PyramidFeed::HandOut(size_t room, PixelSampling* sampling, Outbox* outbox
   while (!requests_.empty() && handed_out < room) {
     const ProcessId to = requests_.front();
     PrimaryRays message;
-    for (size_t n = PyramidsAtOnce(sampling->picture()); n > 0; --n) {
+    for (size_t voids = kVoidsAsOne * PyramidsAtOnce(sampling->picture()); voids > 0;) {
       const size_t left = room - handed_out;
       if (left < pyramid_ && handed_out > 0) break;  // no slivers: wait for results
       const Pyramid pyramid = TakeFor(to, std::min(pyramid_, left), sampling);
+      if (pyramid.samples.empty()) break;
       for (const Sample& sample : pyramid.samples) message.samples.Add(TokenOf(sample));
       handed_out += pyramid.samples.size();
+      voids -= std::min(voids, pyramid.owner == kHost ? 1 : kVoidsAsOne);
     }
     if (message.samples.empty()) break;
     outbox->Send(to, Encode(message));

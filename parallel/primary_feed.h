@@ -29,7 +29,7 @@ class PrimaryFeed {
 // answered by one pyramid, or by up to four in one message while much of the picture is left. Where
 // owners of hits are expected, the process that asks gets a pyramid that it is expected to own,
 // before one that hits nothing, before one of another's: a hit that is found where it is shaded
-// need not be transferred.
+// need not be transferred. Of those that are expected to hit nothing four count as one.
 class PyramidFeed : public PrimaryFeed {
  public:
   // pyramid: most samples in one.
@@ -41,7 +41,7 @@ class PyramidFeed : public PrimaryFeed {
  private:
   struct Pyramid {
     std::vector<Sample> samples;
-    ProcessId owner = kHost;  // expected; kHost: nobody
+    ProcessId owner = kHost;  // expected; kHost: nobody is; who asks, where nothing is expected
   };
   Pyramid TakeFor(ProcessId process, size_t most, PixelSampling* sampling);
 
