@@ -137,6 +137,7 @@ void CellTracer::NearestByClipList(const Pyramid& pyramid, std::span<const Ray> 
     });
     if (set == nullptr || some_.empty()) continue;
     cache_hits_ += some_.size();
+    ++counts->cell_traces;
     set->Nearest(some_rays_, some_hits_, counts);
     for (size_t k = 0; k < some_.size(); ++k) {
       hits[some_[k]] = some_hits_[k];
@@ -160,6 +161,7 @@ void CellTracer::NearestByWalk(const Ray& ray, const Travel& travel, Hit* hit, H
           return false;
         }
         ++cache_hits_;
+        ++counts->cell_traces;
         set->Nearest({&ray, 1}, {hit, 1}, counts);
         return true;
       },
@@ -305,6 +307,7 @@ void CellTracer::ShadowsByClipList(const Pyramid& pyramid, std::span<Shadow*> sh
     });
     if (set == nullptr || here.empty()) continue;
     cache_hits_ += here.size();
+    ++counts->cell_traces;
     Cross(*set, here, counts);
     for (size_t k = 0; k < here.size(); ++k) {
       if (here[k]->blocked) rows_.SetLimit(some_[k], -1);
@@ -357,6 +360,7 @@ void CellTracer::ShadowByWalk(Shadow* shadow, OpCounts* counts) {
           return false;
         }
         ++cache_hits_;
+        ++counts->cell_traces;
         Shadow* one[] = {shadow};
         Cross(*set, one, counts);
         return !shadow->blocked;

@@ -31,6 +31,7 @@ namespace rayshade::parallel {
   X(lone_test)                                                                                   \
   X(cell_step)                                                                                   \
   X(cell_test)                                                                                   \
+  X(cell_trace)                                                                                  \
   X(shade)                                                                                       \
   X(light_sample)                                                                                \
   X(object)         /* an object stored before tracing, its share of the hierarchy */            \

@@ -35,6 +35,7 @@ double CostBetween(const Machine& m, const WorkDone& before, const WorkDone& aft
       m.lone_test * Difference(b.lone_tests, a.lone_tests) +
       m.cell_step * Difference(b.cell_steps, a.cell_steps) +
       m.cell_test * Difference(b.cell_tests, a.cell_tests) +
+      m.cell_trace * Difference(b.cell_traces, a.cell_traces) +
       m.shade * Difference(b.shades, a.shades) +
       m.light_sample * Difference(b.light_samples, a.light_samples) +
       m.object * Difference(after.objects_taken, before.objects_taken) +

@@ -21,6 +21,7 @@ namespace rayshade {
   X(lone_tests)      /* of primitive_tests, likewise */                            \
   X(cell_steps)      /* cells of the subdivision walked through */                 \
   X(cell_tests)      /* ray against the box of a cell on a clip list */            \
+  X(cell_traces)     /* hierarchies of fetched cells, once per ray (or bundle) */  \
   X(shades)          /* hits shaded */                                             \
   X(light_samples)   /* lights looked at from a hit */                             \
   X(rays_saved)      /* of shadow_rays: not traced, because no picture shows them */

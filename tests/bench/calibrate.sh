@@ -49,7 +49,7 @@ sequential_run() { # SCENE PIXELS: a line for fit.awk
   line="$1-$2 $seconds $(value "$out/run.json" rays.total)"
   line="$line $(($(value "$out/run.json" operations.node_visits) - lone_visits))"
   line="$line $(($(value "$out/run.json" operations.primitive_tests) - lone_tests)) $lone_visits $lone_tests"
-  for name in cell_steps cell_tests shades light_samples; do line="$line $(value "$out/run.json" operations.$name)"; done
+  for name in cell_steps cell_tests cell_traces shades light_samples; do line="$line $(value "$out/run.json" operations.$name)"; done
   echo "$line 0 0 0 $((2 * $(value "$out/run.json" rays.primary))) 0 0 0"
 }
 # Lines of a command, behind the seconds of a run of balls4.

@@ -1,9 +1,10 @@
 // step_costs: what the processes of a run do while tracing, and how long that takes on this
 // machine in processor time, without PVM: step_costs NAME SCENE PIXELS SCHEDULE PROCESSES. The
 // processes run in one address space; each call of Receive and Work is measured. Prints a line for
-// each process, NAME-host and NAME-trace1 …, and one for all trace processes before tracing,
-// NAME-build: seconds, then what was done as the constants of a machine name it, in the order of
-// kNames. Without arguments: the names.
+// each process, NAME-host and NAME-trace1 …, another for those of its steps that fetched or lent
+// objects, NAME-fetch1 …, and one for all trace processes before tracing, NAME-build: seconds, then
+// what was done as the constants of a machine name it, in the order of kNames. Without arguments:
+// the names.
 #include <time.h>
 
 #include <cstdio>
@@ -24,8 +25,8 @@ namespace rayshade::parallel {
 namespace {
 
 constexpr char kNames[] =
-    "ray node_visit primitive_test lone_visit lone_test cell_step cell_test shade light_sample "
-    "object fetched_object lent_object sample pack unpack process_ray";
+    "ray node_visit primitive_test lone_visit lone_test cell_step cell_test cell_trace shade "
+    "light_sample object fetched_object lent_object sample pack unpack process_ray";
 
 struct Done {
   double seconds = 0;
@@ -40,11 +41,13 @@ double ProcessorSeconds() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-// Lets a process work, and adds up: while the run traces, and before.
+// Lets a process work, and adds up: before the run traces, while it traces, and, of these steps,
+// those that fetch or lend objects.
 class MeasuredProcess : public Process {
  public:
-  MeasuredProcess(Process* process, const HostProcess* host, Done* before, Done* tracing)
-      : process_(process), host_(host), before_(before), tracing_(tracing) {}
+  MeasuredProcess(Process* process, const HostProcess* host, Done* before, Done* tracing,
+                  Done* fetching)
+      : process_(process), host_(host), before_(before), tracing_(tracing), fetching_(fetching) {}
 
   void Receive(ProcessId from, std::span<const uint8_t> message, Outbox* outbox) override {
     Measure(outbox, message.size(), [&](Outbox* o) {
@@ -78,7 +81,9 @@ class MeasuredProcess : public Process {
     const bool more = call(&counting);
     const double spent = ProcessorSeconds() - begin;
     const WorkDone after = process_->work_done();
-    Done* done = traces ? tracing_ : before_;
+    const bool fetches =
+        after.objects_fetched + after.objects_lent != before.objects_fetched + before.objects_lent;
+    Done* done = !traces ? before_ : fetches ? fetching_ : tracing_;
     done->seconds += spent;
     done->packed += counting.sent;
     done->unpacked += received;
@@ -92,6 +97,7 @@ class MeasuredProcess : public Process {
     counts.lone_tests += after.counts.lone_tests - before.counts.lone_tests;
     counts.cell_steps += after.counts.cell_steps - before.counts.cell_steps;
     counts.cell_tests += after.counts.cell_tests - before.counts.cell_tests;
+    counts.cell_traces += after.counts.cell_traces - before.counts.cell_traces;
     counts.shades += after.counts.shades - before.counts.shades;
     counts.light_samples += after.counts.light_samples - before.counts.light_samples;
     done->work.objects_taken += after.objects_taken - before.objects_taken;
@@ -105,6 +111,7 @@ class MeasuredProcess : public Process {
   const HostProcess* host_;
   Done* before_;
   Done* tracing_;
+  Done* fetching_;
 };
 
 void Print(const std::string& name, const Done& done) {
@@ -112,8 +119,8 @@ void Print(const std::string& name, const Done& done) {
   std::printf("%s %.6f", name.c_str(), done.seconds);
   for (const uint64_t n :
        {c.total_rays(), c.node_visits - c.lone_visits, c.primitive_tests - c.lone_tests,
-        c.lone_visits, c.lone_tests, c.cell_steps, c.cell_tests, c.shades, c.light_samples,
-        done.work.objects_taken, done.work.objects_fetched, done.work.objects_lent,
+        c.lone_visits, c.lone_tests, c.cell_steps, c.cell_tests, c.cell_traces, c.shades,
+        c.light_samples, done.work.objects_taken, done.work.objects_fetched, done.work.objects_lent,
         done.work.samples, done.packed, done.unpacked, c.total_rays() - c.shadow_rays})
     std::printf(" %llu", static_cast<unsigned long long>(n));
   std::printf("\n");
@@ -134,12 +141,12 @@ int Measure(char** argument) {
                    0);
 
   Done host_build, build;
-  std::vector<Done> tracing(run.all.size());
+  std::vector<Done> tracing(run.all.size()), fetching(run.all.size());
   std::vector<std::unique_ptr<MeasuredProcess>> measured;
   std::vector<Process*> all;
   for (size_t i = 0; i < run.all.size(); ++i) {
     measured.push_back(std::make_unique<MeasuredProcess>(
-        run.all[i], &run.host, i == kHost ? &host_build : &build, &tracing[i]));
+        run.all[i], &run.host, i == kHost ? &host_build : &build, &tracing[i], &fetching[i]));
     all.push_back(measured.back().get());
   }
   MachineTiming timing(FindMachine("cluster-1g"), all.size(), 1);
@@ -147,8 +154,10 @@ int Measure(char** argument) {
   if (!run.host.failure().empty()) throw std::runtime_error(run.host.failure());
   const std::string name = argument[1];
   Print(name + "-host", tracing[kHost]);
-  for (size_t i = 1; i < tracing.size(); ++i)
+  for (size_t i = 1; i < tracing.size(); ++i) {
     Print(name + "-trace" + std::to_string(i), tracing[i]);
+    if (fetching[i].seconds > 0) Print(name + "-fetch" + std::to_string(i), fetching[i]);
+  }
   Print(name + "-build", build);
   return 0;
 }

@@ -233,6 +233,30 @@ TEST_F(CellTracerTest, RaysLookedAtForTheCellsOfAClipListAreCounted) {
   EXPECT_EQ(shadow.cell_tests, unblocked * shadow.cell_steps) << "no cell is there to block more";
 }
 
+// So is each hierarchy of a fetched cell, once for all rays of a bundle that are traced through it.
+TEST_F(CellTracerTest, TracesThroughFetchedCellsAreCounted) {
+  ObjectCache cache(0);
+  CellTracer tracer(&scene_, &tree_, 1, own_.get(), &cache);
+  const std::vector<Ray> rays = Rays(64, .4);
+  TraceToTheEnd(&tracer, &cache, rays);
+  std::vector<Travel> travel(64);
+  std::vector<Hit> hits(64);
+  std::vector<Halt> halts(64);
+  const auto traced = [&](std::span<const Ray> some, OpCounts* counts) {
+    const uint64_t before = tracer.cache_hits();
+    const size_t n = some.size();
+    tracer.Nearest(some, {travel.data(), n}, {hits.data(), n}, {halts.data(), n}, counts);
+    return tracer.cache_hits() - before;
+  };
+  uint64_t alone = 0;
+  OpCounts one, bundle;
+  for (size_t i = 0; i < 64; ++i) alone += traced({&rays[i], 1}, &one);
+  EXPECT_GT(alone, 0u);
+  EXPECT_EQ(one.cell_traces, alone);
+  EXPECT_GT(traced(rays, &bundle), 4 * bundle.cell_traces);
+  EXPECT_GT(bundle.cell_traces, 0u);
+}
+
 // Where a shadow ray of the rows meets no cell that others own, what is owned says all about it.
 TEST_F(CellTracerTest, ShadowRaysThatMeetForeignCellsAreFoundInRows) {
   ObjectCache cache(0);

@@ -104,6 +104,7 @@ TEST(Machine, StoredFetchedAndLentObjectsHaveCostsOfTheirOwn) {
   machine.fetched_object = 10;
   machine.lent_object = 100;
   machine.cell_test = 1000;
+  machine.cell_trace = 10000;
   WorkDone work;
   work.objects_taken = 1;
   EXPECT_DOUBLE_EQ(CostOf(machine, work), 1);
@@ -113,6 +114,8 @@ TEST(Machine, StoredFetchedAndLentObjectsHaveCostsOfTheirOwn) {
   EXPECT_DOUBLE_EQ(CostOf(machine, work), 321);
   work.counts.cell_tests = 4;
   EXPECT_DOUBLE_EQ(CostOf(machine, work), 4321);
+  work.counts.cell_traces = 5;
+  EXPECT_DOUBLE_EQ(CostOf(machine, work), 54321);
 }
 
 TEST(MachineTiming, AMessageTakesLatencyAndTheGapOfItsBytesAndWaitsForThePortsInItsWay) {
