@@ -136,14 +136,31 @@ RAYSHADE_KERNEL F8 Choose(uint32_t mask, F8 a, F8 b) {
   RAYSHADE_LANES r.v[i] = (mask >> i & 1) ? a.v[i] : b.v[i];
   return r;
 }
-// Of the lanes with a <= b, the first one whose a is the least, by the upper 16 bits of positive
-// numbers; any lane where there is none.
-RAYSHADE_KERNEL uint32_t LaneOfLeast(F8 a, F8 b) {
+// Keys of lanes, by which the least is found: of those with a <= b the upper 16 bits of a, which is
+// positive; the others have none, which is 0xffff. keys: aligned to 16 bytes.
+RAYSHADE_KERNEL void StoreKeys(F8 a, F8 b, uint16_t* keys) {
+  RAYSHADE_LANES {
+    const uint32_t bits = __builtin_bit_cast(uint32_t, a.v[i]);
+    keys[i] = a.v[i] <= b.v[i] ? static_cast<uint16_t>(bits >> 16) : 0xffff;
+  }
+}
+// Those of the keys that are not larger than that of `most`, which is positive; bits.
+RAYSHADE_KERNEL uint32_t KeepKeys(const uint16_t* keys, float most, uint16_t* kept) {
+  const uint32_t limit = __builtin_bit_cast(uint32_t, most) >> 16;
+  uint32_t bits = 0;
+  RAYSHADE_LANES {
+    const bool in = keys[i] <= limit;
+    bits |= uint32_t{in} << i;
+    kept[i] = in ? keys[i] : 0xffff;
+  }
+  return bits;
+}
+// The first lane with the least key.
+RAYSHADE_KERNEL uint32_t LaneOfLeast(const uint16_t* keys) {
   uint32_t least = 0xffff, lane = 0;
   RAYSHADE_LANES {
-    const uint32_t key = a.v[i] <= b.v[i] ? __builtin_bit_cast(uint32_t, a.v[i]) >> 16 : 0xffff;
-    lane = key < least ? static_cast<uint32_t>(i) : lane;
-    least = key < least ? key : least;
+    lane = keys[i] < least ? static_cast<uint32_t>(i) : lane;
+    least = keys[i] < least ? keys[i] : least;
   }
   return lane;
 }

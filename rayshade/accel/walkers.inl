@@ -6,17 +6,19 @@
 //
 //   1. The lowest frame of a stack holds the bottom; the others hold children that were met and
 //   have not been visited, at least one each.
-//   2. In a sorted walk all of these are entered not beyond `most`.
+//   2. In a sorted walk all of these are entered not beyond `most`, as far as their keys tell: the
+//   upper half of a number in single precision, by which the nearest is found as well.
 
-constexpr uint32_t kWalkers = 24;
+constexpr uint32_t kWalkers = 32;
 constexpr int kAtBottom = kOtherLeaf + 1;
 constexpr uint64_t kBottomBranch[] = {uint64_t{kAtBottom} << kKindShift};
+constexpr float kBottomEntry[] = {0, 1, 1, 1, 1, 1, 1, 1};  // its first lane waits
 
 // Children of a node that wait.
-struct alignas(64) Frame {
-  float entry[kNodeWidth];  // in a sorted walk
-  const uint64_t* branch;   // of the node
-  uint32_t waiting;         // bits
+struct alignas(32) Frame {
+  uint16_t keys[kNodeWidth];  // of where they are entered, in a sorted walk (simd_plain.inl)
+  const uint64_t* branch;     // of the node
+  uint32_t waiting;           // bits
 };
 
 // What a bundle that gave up had not visited: children of nodes, the nearest first, eight a row.
@@ -59,25 +61,29 @@ struct Walker {
   Hit hit;
   Ray own;  // where it is not the caller's
   // More than there can be: what all walkers use most should not share a few sets of the cache.
-  Frame frames[kDepthMax + 6 + kUnvisitedRows];
+  Frame frames[kDepthMax + 13 + kUnvisitedRows];
 };
 static_assert(sizeof(Walker) % 512 == 4 * 64);
 
-// Takes what is visited next off the last frame, and the frame off the stack if it was the last.
-RAYSHADE_KERNEL void Pop(Walker* w) {
-  const uint32_t frame = w->top - 1;
+// Takes what is visited next off a frame, of a sorted walk the nearest, and the frame off the stack
+// if it was the last.
+RAYSHADE_KERNEL void Take(bool sorted, uint32_t frame, Walker* w) {
   Frame& f = w->frames[frame];
-  const uint32_t waiting = f.waiting & (f.waiting - 1);
-  w->next = f.branch[__builtin_ctz(f.waiting)];
+  const uint32_t lane =
+      sorted ? LaneOfLeast(f.keys) : static_cast<uint32_t>(__builtin_ctz(f.waiting));
+  w->next = f.branch[lane];
+  const uint32_t waiting = f.waiting & ~(1u << lane);
   f.waiting = waiting;
+  if (sorted) f.keys[lane] = 0xffff;
   w->top = frame + (waiting != 0);
 }
 
 // limit: the distance beyond which nothing matters.
-RAYSHADE_KERNEL void PutAtBeginning(const LoneRay& lone, double limit, Walker* w) {
+RAYSHADE_KERNEL void PutAtBeginning(bool sorted, const LoneRay& lone, double limit, Walker* w) {
   w->most = Loosened(limit);
   w->frames[0].branch = kBottomBranch;
   w->frames[0].waiting = 1;
+  if (sorted) StoreKeys(LoadF(kBottomEntry), SetF(0), w->frames[0].keys);
   w->top = 1;
   w->next = MakeBranch(kInnerNode, 0, 0);
   if (lone.rest == nullptr) return;
@@ -85,17 +91,20 @@ RAYSHADE_KERNEL void PutAtBeginning(const LoneRay& lone, double limit, Walker* w
     Frame& f = w->frames[w->top];
     f.waiting = static_cast<uint32_t>(lone.met >> 8 * row) & 0xff;
     f.branch = lone.rest->branch[row];
-    Store(LoadF(lone.rest->entry[row]), f.entry);
+    if (sorted) {
+      const F8 infinite = SetF(__builtin_inff());
+      const F8 end = Choose(f.waiting, infinite, SetF(0) - infinite);
+      StoreKeys(LoadF(lone.rest->entry[row]), end, f.keys);
+    }
     w->top += f.waiting != 0;
   }
-  Pop(w);
+  Take(sorted, w->top - 1, w);
 }
 
 // What a walker meets where it is: bits of children, or of objects to be tested.
 struct Encounter {
   Walker* walker;
   uint32_t met;
-  uint32_t lane;  // of the nearest child, if there is one, in a sorted walk
 };
 
 // Looks into a node.
@@ -103,43 +112,26 @@ RAYSHADE_KERNEL Encounter LookIntoNode(const TraceView& view, bool sorted, Walke
   const Node& node = view.nodes[ChildOf(w->next)];
   F8 entry, end;
   MeetChildren(node, w->slab, w->most, &entry, &end);
-  const uint32_t met = LessEqual(entry, end);
-  if (!sorted) return {w, met, 0};
-  Store(entry, w->frames[w->top].entry);
-  return {w, met, LaneOfLeast(entry, end)};
+  if (sorted) StoreKeys(entry, end, w->frames[w->top].keys);
+  return {w, LessEqual(entry, end)};
 }
 
-// Next is a child that was met, of a sorted walk the nearest, or if none was, what waits on the
-// stack.
+// Next is a child that was met, or if none was, what waits on the stack.
 RAYSHADE_KERNEL void Descend(const TraceView& view, bool sorted, const Encounter& e) {
   Walker* const w = e.walker;
   const uint32_t top = w->top;
   w->frames[top].branch = view.nodes[ChildOf(w->next)].branch;
   w->frames[top].waiting = e.met;
-  const uint32_t frame = top - (e.met == 0);
-  Frame& f = w->frames[frame];
-  uint32_t lane = static_cast<uint32_t>(__builtin_ctz(f.waiting));
-  if (sorted) {
-    // Chosen by bits, or the compiler makes it a branch.
-    const uint32_t none = e.met == 0 ? ~0u : 0;
-    lane = (lane & none) | (e.lane & ~none);
-  }
-  w->next = f.branch[lane];
-  const uint32_t waiting = f.waiting & ~(1u << lane);
-  f.waiting = waiting;
-  w->top = frame + (waiting != 0);
+  Take(sorted, top - (e.met == 0), w);
 }
 
 // Takes what is entered beyond `most` off the stack.
 RAYSHADE_KERNEL void Prune(Walker* w) {
-  const F8 most = SetF(w->most);
   uint32_t kept = 1;
   for (uint32_t i = 1; i < w->top; ++i) {
     const Frame& f = w->frames[i];
-    const F8 entry = LoadF(f.entry);
     Frame& to = w->frames[kept];
-    const uint32_t waiting = f.waiting & LessEqual(entry, most);
-    Store(entry, to.entry);
+    const uint32_t waiting = f.waiting & KeepKeys(f.keys, w->most, to.keys);
     to.branch = f.branch;
     to.waiting = waiting;
     kept += waiting != 0;
@@ -207,7 +199,7 @@ RAYSHADE_KERNEL void VisitLeaves(const TraceView& view, const Job& job, LeafKind
     if (kind == kOtherLeaf) CountTests(view, kind, w->next, 1, counters);
     objects += CountOf(w->next);
     const uint32_t bits = LookIntoLeaf(view, kind, w->next, w->work, w->most);
-    tested[tests] = {w, bits, 0};
+    tested[tests] = {w, bits};
     tests += bits != 0;
     __builtin_prefetch(view.keys + (bits != 0 ? ChildOf(w->next) : 0));
   }
@@ -215,7 +207,7 @@ RAYSHADE_KERNEL void VisitLeaves(const TraceView& view, const Job& job, LeafKind
   if (kind != kOtherLeaf) counters->flat_tests[kind] += objects;
   for (uint32_t i = 0; i < tests; ++i) AtLeaf(job, kind, tested[i].met, tested[i].walker);
   for (uint32_t i = 0; i < count; ++i) {
-    Pop(at[i]);
+    Take(Job::kSorted, at[i]->top - 1, at[i]);
     Enlist(at[i], lists);
   }
 }
@@ -284,7 +276,7 @@ RAYSHADE_KERNEL bool Start(const NearestJob& job, uint32_t k, Walker* w) {
     view.callbacks.nearest_other(view.set, ray, view.unbounded[i], lone.limit, &w->hit);
     CountTest(view, view.unbounded[i], 1, job.counters);
   }
-  PutAtBeginning(lone, w->hit.distance, w);
+  PutAtBeginning(true, lone, w->hit.distance, w);
   if (view.node_count == 0) End(job, w);
   return view.node_count > 0;
 }
@@ -334,7 +326,7 @@ RAYSHADE_KERNEL bool Start(const BlockJob<Source>& job, uint32_t k, Walker* w) {
   if (crossed && job.fate.crossed != nullptr) job.fate.crossed[lone.index] = 1;
   SetUp(view, ray, &w->work, &w->slab);
   w->work.strict_limit = lone.limit;
-  PutAtBeginning(lone, lone.limit, w);
+  PutAtBeginning(false, lone, lone.limit, w);
   return view.node_count > 0;
 }
 template <class Source>
