@@ -9,7 +9,7 @@
 //   2. In a sorted walk all of these are entered not beyond `most`, as far as their keys tell: the
 //   upper half of a number in single precision, by which the nearest is found as well.
 
-constexpr uint32_t kWalkers = 32;
+constexpr uint32_t kWalkers = 36;
 constexpr int kAtBottom = kOtherLeaf + 1;
 constexpr uint64_t kBottomBranch[] = {uint64_t{kAtBottom} << kKindShift};
 constexpr float kBottomEntry[] = {0, 1, 1, 1, 1, 1, 1, 1};  // its first lane waits
