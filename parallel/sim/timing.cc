@@ -13,21 +13,11 @@ double UnitOf(uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1.0p-5
 
 double Difference(uint64_t after, uint64_t before) { return static_cast<double>(after - before); }
 
-double RaysBetween(const WorkDone& before, const WorkDone& after) {
-  return Difference(after.counts.total_rays(), before.counts.total_rays());
-}
-
-// A trace process keeps no shadow rays: most are traced where they are spawned, in rows.
-double KeptRaysBetween(const WorkDone& before, const WorkDone& after) {
-  return RaysBetween(before, after) -
-         Difference(after.counts.shadow_rays, before.counts.shadow_rays);
-}
-
 // Rays, operations and objects of `after` that are not in `before`.
 double CostBetween(const Machine& m, const WorkDone& before, const WorkDone& after) {
   const OpCounts &a = before.counts, &b = after.counts;
   const double operations =
-      m.ray * RaysBetween(before, after) +
+      m.ray * Difference(b.total_rays(), a.total_rays()) +
       m.node_visit * Difference(b.node_visits - b.lone_visits, a.node_visits - a.lone_visits) +
       m.primitive_test *
           Difference(b.primitive_tests - b.lone_tests, a.primitive_tests - a.lone_tests) +
@@ -71,7 +61,7 @@ size_t MachineTiming::NodeOf(ProcessId process) const {
 double MachineTiming::StepSeconds(ProcessId, const WorkDone& before, const WorkDone& after) {
   random_ = MixBits(random_);
   const double besides = machine_.slowness * machine_.node_slowness * machine_.process_ray *
-                         KeptRaysBetween(before, after);
+                         Difference(after.rays_kept(), before.rays_kept());
   return (machine_.step + CostBetween(machine_, before, after) + besides) *
          (1 + machine_.jitter * UnitOf(random_));
 }

@@ -103,6 +103,7 @@ class MeasuredProcess : public Process {
     done->work.objects_taken += after.objects_taken - before.objects_taken;
     done->work.objects_fetched += after.objects_fetched - before.objects_fetched;
     done->work.objects_lent += after.objects_lent - before.objects_lent;
+    done->work.rays_taken_up += after.rays_taken_up - before.rays_taken_up;
     done->work.samples += after.samples - before.samples;
     return more;
   }
@@ -121,7 +122,7 @@ void Print(const std::string& name, const Done& done) {
        {c.total_rays(), c.node_visits - c.lone_visits, c.primitive_tests - c.lone_tests,
         c.lone_visits, c.lone_tests, c.cell_steps, c.cell_tests, c.cell_traces, c.shades,
         c.light_samples, done.work.objects_taken, done.work.objects_fetched, done.work.objects_lent,
-        done.work.samples, done.packed, done.unpacked, c.total_rays() - c.shadow_rays})
+        done.work.samples, done.packed, done.unpacked, done.work.rays_kept()})
     std::printf(" %llu", static_cast<unsigned long long>(n));
   std::printf("\n");
 }

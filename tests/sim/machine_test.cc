@@ -95,6 +95,9 @@ TEST(Machine, ARayCostsATraceProcessMoreThanTheSequentialRenderer) {
   work.counts.shadow_rays = 5;
   EXPECT_DOUBLE_EQ(CostOf(machine, work), 21);
   EXPECT_DOUBLE_EQ(MachineTiming(machine, 2, 1).StepSeconds(1, {}, work), 81);
+  work.rays_taken_up = 1;
+  EXPECT_DOUBLE_EQ(CostOf(machine, work), 21);
+  EXPECT_DOUBLE_EQ(MachineTiming(machine, 2, 1).StepSeconds(1, {}, work), 111);
 }
 
 // What is fetched while tracing, at both ends, does not cost what was stored before.
