@@ -37,11 +37,13 @@ PyramidFeed::Pyramid PyramidFeed::TakeFor(ProcessId process, size_t most, PixelS
   return taken;
 }
 
-// So many pyramids answer a request: fewer where a process could be left without at the end.
+// At most so many pyramids answer a request: fewer where a process could be left without at the
+// end.
 size_t PyramidFeed::PyramidsAtOnce(const Picture& picture) const {
   const uint64_t pixels = uint64_t(picture.width()) * picture.height();
   const uint64_t left = pixels - std::min(pixels, handed_out_);
-  return std::clamp<uint64_t>(left / (kShares * processes_ * pyramid_), 1, kPyramidsAtOnce);
+  return std::clamp<uint64_t>(left / (kShares * processes_ * pyramid_), 1,
+                              kVoidsAsOne * kPyramidsAtOnce);
 }
 
 size_t PyramidFeed::HandOut(size_t room, PixelSampling* sampling, Outbox* outbox) {
@@ -49,7 +51,8 @@ size_t PyramidFeed::HandOut(size_t room, PixelSampling* sampling, Outbox* outbox
   while (!requests_.empty() && handed_out < room) {
     const ProcessId to = requests_.front();
     PrimaryRays message;
-    for (size_t voids = kVoidsAsOne * PyramidsAtOnce(sampling->picture()); voids > 0;) {
+    size_t voids = kVoidsAsOne * kPyramidsAtOnce;
+    for (size_t n = PyramidsAtOnce(sampling->picture()); n > 0 && voids > 0; --n) {
       const size_t left = room - handed_out;
       if (left < pyramid_ && handed_out > 0) break;  // no slivers: wait for results
       const Pyramid pyramid = TakeFor(to, std::min(pyramid_, left), sampling);

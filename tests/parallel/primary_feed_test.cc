@@ -91,10 +91,16 @@ TEST_F(Pyramids, ComeFourAtOnceWhileMuchOfThePictureIsLeft) {
 }
 
 TEST_F(Pyramids, FourThatHitNothingCountAsOne) {
+  // So small that there are 8 x 16 of them, and one process.
   hits_.cells.assign(hits_.cells.size(), kNoCell);
-  PyramidFeed voids(2, 1, ExpectedOwners(hits_, tree_, camera_->window()));
-  Ask(&voids, 1, 1);
-  EXPECT_EQ(sent_.tokens_.at(0).size(), 4u * 4 * 2);
+  settings_.width = 16;
+  camera_ = std::make_unique<Camera>(settings_, 0);
+  sampling_ = std::make_unique<PixelSampling>(settings_, *camera_, true);
+  PyramidFeed voids(1, 1, ExpectedOwners(hits_, tree_, camera_->window()));
+  Ask(&voids, 1, 100);
+  EXPECT_EQ(sent_.tokens_.at(0).size(), 4u * 4);
+  EXPECT_LT(sent_.tokens_.at(1).size(), 4u * 4) << "as many as leave something for other requests";
+  EXPECT_EQ(sent_.tokens_.back().size(), 1u);
 }
 
 TEST_F(Pyramids, AtOnceAreNoMoreThanThereIsRoomFor) {
