@@ -153,6 +153,34 @@ TEST_F(RunningProcess, RefusesWhatMakesNoSense) {
   EXPECT_EQ(run_.Tell(2, 1, CellRequest{CellOf(1)}).size(), 1u) << "it answers as before";
 }
 
+// What the cost model multiplies: by data parallel no ray waits for a cell, and what is taken up is
+// what other trace processes have sent.
+TEST(TraceProcess, CountsRaysAndHitsThatOthersHaveSent) {
+  HandDrivenRun run(Balls(2, 16), Options(Schedule::kDataParallel));
+  uint64_t sent = 0, taken_up = 0;
+  std::deque<SentMessage> under_way;
+  const auto carry = [&](const std::vector<SentMessage>& messages) {
+    under_way.insert(under_way.end(), messages.begin(), messages.end());
+  };
+  const auto rays_of = [](const TravellingRays& rays) {
+    return rays.primary.size() + rays.bundle.size();
+  };
+  while (!run.host->finished()) {
+    for (ProcessId p = 0; p <= 3; ++p) carry(run.Work(p));
+    ASSERT_FALSE(under_way.empty()) << "the run hangs";
+    while (!under_way.empty()) {
+      const SentMessage s = std::move(under_way.front());
+      under_way.pop_front();
+      if (s.from != kHost && s.tag == Tag::kRayTask) sent += rays_of(Decode<RayTask>(s.bytes));
+      if (s.tag == Tag::kIntersectionTask) sent += rays_of(Decode<IntersectionTask>(s.bytes));
+      carry(run.Tell(s));
+    }
+  }
+  for (const auto& trace : run.trace) taken_up += trace->work_done().rays_taken_up;
+  EXPECT_GT(sent, 0u);
+  EXPECT_EQ(taken_up, sent);
+}
+
 TEST(TraceProcess, KnowsNothingBeforeItsSetUp) {
   HandDrivenRun run(Balls(1, 8), Options(Schedule::kHybrid));
   EXPECT_THROW(run.Tell(0, 1, Objects{}), WireError);
