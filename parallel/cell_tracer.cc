@@ -136,8 +136,7 @@ void CellTracer::NearestByClipList(const Pyramid& pyramid, std::span<const Ray> 
       }
     });
     if (set == nullptr || some_.empty()) continue;
-    cache_hits_ += some_.size();
-    ++counts->cell_traces;
+    CountTrace(some_.size(), counts);
     set->Nearest(some_rays_, some_hits_, counts);
     for (size_t k = 0; k < some_.size(); ++k) {
       hits[some_[k]] = some_hits_[k];
@@ -160,8 +159,7 @@ void CellTracer::NearestByWalk(const Ray& ray, const Travel& travel, Hit* hit, H
           *halt = {cell, interval.entry};
           return false;
         }
-        ++cache_hits_;
-        ++counts->cell_traces;
+        CountTrace(1, counts);
         set->Nearest({&ray, 1}, {hit, 1}, counts);
         return true;
       },
@@ -306,8 +304,7 @@ void CellTracer::ShadowsByClipList(const Pyramid& pyramid, std::span<Shadow*> sh
       }
     });
     if (set == nullptr || here.empty()) continue;
-    cache_hits_ += here.size();
-    ++counts->cell_traces;
+    CountTrace(here.size(), counts);
     Cross(*set, here, counts);
     for (size_t k = 0; k < here.size(); ++k) {
       if (here[k]->blocked) rows_.SetLimit(some_[k], -1);
@@ -359,8 +356,7 @@ void CellTracer::ShadowByWalk(Shadow* shadow, OpCounts* counts) {
           shadow->halt = {cell, interval.entry};
           return false;
         }
-        ++cache_hits_;
-        ++counts->cell_traces;
+        CountTrace(1, counts);
         Shadow* one[] = {shadow};
         Cross(*set, one, counts);
         return !shadow->blocked;

@@ -101,6 +101,11 @@ class CellTracer {
                          OpCounts* counts);
   void NearestByWalk(const Ray& ray, const Travel& travel, Hit* hit, Halt* halt, OpCounts* counts);
   const ObjectSet* Searched(CellId cell) { return searches_cache_ ? cache_->Find(cell) : nullptr; }
+  // Rays are traced together through the hierarchy of a fetched cell.
+  void CountTrace(size_t rays, OpCounts* counts) {
+    cache_hits_ += rays;
+    ++counts->cell_traces;
+  }
   void Cross(const ObjectSet& set, std::span<Shadow*> shadows, OpCounts* counts);
   void ShadowsByClipList(const Pyramid& pyramid, std::span<Shadow*> shadows, OpCounts* counts);
   void ShadowByWalk(Shadow* shadow, OpCounts* counts);

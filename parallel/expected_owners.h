@@ -30,8 +30,8 @@ class ExpectedOwners {
     std::vector<size_t> votes(processes_ + size_t{1});
     const size_t step = samples.size() / kTell | 1;  // odd: not always the same columns
     for (size_t i = 0; i < samples.size(); i += step) ++votes[owners_[Square(samples[i])]];
-    const auto most = std::max_element(votes.begin() + 1, votes.end());
-    return most == votes.end() || *most == 0 ? kHost : static_cast<ProcessId>(most - votes.begin());
+    votes[kHost] = 0;  // the first of the largest: where all are 0, it is this one
+    return static_cast<ProcessId>(std::max_element(votes.begin(), votes.end()) - votes.begin());
   }
 
  private:

@@ -16,6 +16,7 @@
 namespace rayshade {
 namespace {
 #include "rayshade/accel/simd_avx512.inl"
+#include "rayshade/accel/simd_keys.inl"
 #include "rayshade/accel/trace.inl"
 }  // namespace
 

@@ -77,6 +77,7 @@ TEST_F(Pyramids, OfTheAskingProcessComeFirstThenVoidsThenThoseOfOthers) {
   const size_t rows = 4;  // of pyramids; the row below adds some at the end
   for (size_t m = 0; m < rows; ++m) EXPECT_EQ(columns.at(m), 3) << m;
   EXPECT_TRUE(columns.at(rows) == 1 || columns.at(rows) == 2);
+  EXPECT_NE(columns.at(rows + 1), 0);
   EXPECT_EQ(columns.back(), 0);
 }
 
