@@ -59,6 +59,11 @@ struct Intervals {
     return __builtin_convertvector(scale == 0 ? AllOf(0) : at,
                                    I4);  // infinity times 0 is no number
   }
+  // Along one axis, which has an extent.
+  int32_t Of(const Box& box, int axis) const {
+    const float at = (box.low[axis] + box.high[axis] - base[axis]) * scale[axis];
+    return static_cast<int32_t>(at);
+  }
 };
 
 }  // namespace rayshade

@@ -34,6 +34,12 @@ class BuildObjects {
     std::swap(in_.spheres[i], in_.spheres[j]);
     std::swap(in_.keys[i], in_.keys[j]);
   }
+  // Soon sphere i, if there is one, will be swapped.
+  void PrefetchSphere(uint32_t i) const {
+    if (i >= in_.spheres.size()) return;
+    __builtin_prefetch(in_.spheres.data() + i, 1);
+    __builtin_prefetch(in_.keys.data() + i, 1);
+  }
   void SwapRefs(uint32_t i, uint32_t j) { std::swap(in_.refs[i], in_.refs[j]); }
 
  private:

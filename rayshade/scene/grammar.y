@@ -53,7 +53,7 @@ static void yyerror(ParserContext* c, const char* text) { c->SyntaxError(text); 
    T_TILE "tile" T_TEXTSURF "textsurf" T_RANGE "range" T_SMOOTH "smooth" T_MAP "map" T_UV "uv"
    T_CYLINDRICAL "cylindrical" T_PLANAR "planar" T_SPHERICAL "spherical"
 
-%type <number> num any_num
+%type <number> num
 %type <integer> int map_kind component
 %type <value> anum any_anum expr
 %type <triple> vec intensity
@@ -94,14 +94,12 @@ body_item:
 
 /* ---- numbers ---- */
 
-num: any_num                                      { $$ = c->symbols.Finite($1); } ;
-
-any_num:
-    T_NUMBER
-  | T_SIGNED
-  | '+' T_NUMBER                                  { $$ = $2; }
-  | '-' T_NUMBER                                  { $$ = -$2; }
-  | '(' expr ')'                                  { $$ = c->symbols.Constant($2); }
+num:
+    T_NUMBER                                      { $$ = c->symbols.Finite($1); }
+  | T_SIGNED                                      { $$ = c->symbols.Finite($1); }
+  | '+' T_NUMBER                                  { $$ = c->symbols.Finite($2); }
+  | '-' T_NUMBER                                  { $$ = c->symbols.Finite(-$2); }
+  | '(' expr ')'                                  { $$ = c->symbols.Finite(c->symbols.Constant($2)); }
   ;
 
 int: num                                          { $$ = TruncateToInt($1); } ;
@@ -182,7 +180,7 @@ setting:
   | T_OUTFILE filename                            { c->NameOutput($2); }
   | T_REPORT report_verbose report_quiet report_frequency report_file
   | T_DEFINE T_NAME anum                          { c->symbols.Define($2, $3); }
-  | T_PRINT any_num                               { c->Print($2); }
+  | T_PRINT any_anum                              { c->Print(c->symbols.Constant($2)); }
   ;
 jitter:
     %empty
