@@ -24,6 +24,9 @@ WARNINGS := -Wall -Wextra -Werror
 CPPFLAGS := -I. -I$(GEN) -MMD -MP
 OPTIMIZE := -O2 -g
 OPTIMIZE_KERNELS := -O3
+# Programs are optimized across files, but for the kernels; tests are linked from what was compiled file by file.
+LTO = $(if $(findstring clang,$(CXX)),,-flto=auto -ffat-lto-objects)
+LTO_AT_LINK = $(LTO)
 # The same bits everywhere; roots without a call for an errno that nobody reads.
 CXXFLAGS = -std=c++20 $(OPTIMIZE) -ffp-contract=off -fno-math-errno $(WARNINGS)
 LDLIBS := -lpng
@@ -33,6 +36,7 @@ ifdef SAN
 # Less is optimized: that takes about half as long to build, tests less than a third.
 OPTIMIZE := -O1 -g1
 OPTIMIZE_KERNELS :=
+LTO :=
 $(OBJ)/tests/%.o: OPTIMIZE := -O0 -g1
 CXXFLAGS += -fsanitize=$(SAN) -fno-sanitize-recover=all -fno-omit-frame-pointer
 # GCC 12 is wrong about inlined library code once it is instrumented.
@@ -108,10 +112,14 @@ $(OBJ)/gen/machines.o: $(GEN)/parallel/sim/machines.cc
 	$(CXX) $(CPPFLAGS) $(CXXFLAGS) -c -o $@ $<
 $(call object,$(wildcard rayshade/scene/*.cc)): | $(GEN)/rayshade/scene/grammar.h
 
+$(OBJ)/rayshade/%.o $(OBJ)/parallel/%.o: CXXFLAGS += $(LTO)
+$(BUILD)/unit_tests: LTO_AT_LINK := -fno-lto
+# Reading and building take most of a short run on a large scene.
+$(GENERATED) $(call object,$(addprefix rayshade/accel/,build.cc pieces.cc split.cc)): CXXFLAGS += $(OPTIMIZE_KERNELS)
 # One kernel source per instruction set; which one runs is decided at start (accel/).
-$(OBJ)/rayshade/accel/%_avx2.o: CXXFLAGS += $(OPTIMIZE_KERNELS) -mavx2 -mbmi -mbmi2
-$(OBJ)/rayshade/accel/%_avx512.o: CXXFLAGS += $(OPTIMIZE_KERNELS) -mavx512f -mavx512dq -mavx512vl -mavx512bw -mprefer-vector-width=512
-$(OBJ)/rayshade/accel/%_plain.o: CXXFLAGS += $(OPTIMIZE_KERNELS)
+$(OBJ)/rayshade/accel/%_avx2.o: CXXFLAGS += $(OPTIMIZE_KERNELS) -fno-lto -mavx2 -mbmi -mbmi2
+$(OBJ)/rayshade/accel/%_avx512.o: CXXFLAGS += $(OPTIMIZE_KERNELS) -fno-lto -mavx512f -mavx512dq -mavx512vl -mavx512bw -mprefer-vector-width=512
+$(OBJ)/rayshade/accel/%_plain.o: CXXFLAGS += $(OPTIMIZE_KERNELS) -fno-lto
 
 $(OBJ)/%.o: %.cc
 	@mkdir -p $(@D)
@@ -124,7 +132,7 @@ $(PARALLEL_LIB): $(call object,$(PARALLEL)) $(OBJ)/gen/machines.o
 $(PVM_LIB): $(call object,$(PVM))
 	rm -f $@ && ar rcs $@ $^
 
-LINK = $(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(LDLIBS)
+LINK = $(CXX) $(CXXFLAGS) $(LTO_AT_LINK) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(LDLIBS)
 $(BUILD)/rayshade: $(OBJ)/rayshade/main.o $(CORE_LIB)
 	$(LINK)
 $(BUILD)/prayshade: $(OBJ)/parallel/pvm/host_main.o $(PVM_LIB) $(PARALLEL_LIB) $(CORE_LIB)

@@ -340,6 +340,7 @@ bool HostProcess::Distribute(Outbox* outbox) {
         outbox->Send(p, Encode(Distributed{}));
       }
       phase_ = Phase::kBuild;
+      feed_->Prepare(sampling_.get());
       return true;
     }
     std::fill(wanted.begin(), wanted.end(), !object.bounded);

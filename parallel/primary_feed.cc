@@ -16,14 +16,18 @@ constexpr size_t kPyramidsAtOnce = 4, kShares = 8;
 // comes.
 constexpr size_t kVoidsAsOne = 4;
 
-PyramidFeed::Pyramid PyramidFeed::TakeFor(ProcessId process, size_t most, PixelSampling* sampling) {
-  if (owners_.empty()) return {sampling->Next(most), process};
-  while (ahead_.size() < kPyramidsAhead) {
-    Pyramid next{sampling->Next(most)};
+void PyramidFeed::LookAhead(PixelSampling* sampling) {
+  while (!owners_.empty() && ahead_.size() < kPyramidsAhead) {
+    Pyramid next{sampling->Next(pyramid_)};
     if (next.samples.empty()) break;
     next.owner = owners_.OwnerOf(next.samples);
     ahead_.push_back(std::move(next));
   }
+}
+
+PyramidFeed::Pyramid PyramidFeed::TakeFor(ProcessId process, PixelSampling* sampling) {
+  if (owners_.empty()) return {sampling->Next(pyramid_), process};
+  LookAhead(sampling);
   auto best = ahead_.begin();
   const auto rank = [process](const Pyramid& p) {
     return p.owner == process ? 0 : p.owner == kHost ? 1 : 2;
@@ -53,9 +57,8 @@ size_t PyramidFeed::HandOut(size_t room, PixelSampling* sampling, Outbox* outbox
     PrimaryRays message;
     size_t voids = kVoidsAsOne * kPyramidsAtOnce;
     for (size_t n = PyramidsAtOnce(sampling->picture()); n > 0 && voids > 0; --n) {
-      const size_t left = room - handed_out;
-      if (left < pyramid_ && handed_out > 0) break;  // no slivers: wait for results
-      const Pyramid pyramid = TakeFor(to, std::min(pyramid_, left), sampling);
+      if (room - handed_out < pyramid_) break;  // no slivers: wait for results
+      const Pyramid pyramid = TakeFor(to, sampling);
       if (pyramid.samples.empty()) break;
       for (const Sample& sample : pyramid.samples) message.samples.Add(TokenOf(sample));
       handed_out += pyramid.samples.size();

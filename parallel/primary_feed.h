@@ -19,6 +19,8 @@ class PrimaryFeed {
  public:
   virtual ~PrimaryFeed() = default;
   virtual void OnRequest(ProcessId) {}
+  // Does what can be done before there are requests; nobody waits for it.
+  virtual void Prepare(PixelSampling*) {}
   // Hands out samples while there are any, at most `room`; returns how many.
   virtual size_t HandOut(size_t room, PixelSampling* sampling, Outbox* outbox) = 0;
   // Cells of the subdivision walked through so far.
@@ -36,6 +38,7 @@ class PyramidFeed : public PrimaryFeed {
   PyramidFeed(size_t pyramid, ProcessId processes, ExpectedOwners owners)
       : pyramid_(pyramid), processes_(processes), owners_(std::move(owners)) {}
   void OnRequest(ProcessId from) override { requests_.push_back(from); }
+  void Prepare(PixelSampling* sampling) override { LookAhead(sampling); }
   size_t HandOut(size_t room, PixelSampling* sampling, Outbox* outbox) override;
 
  private:
@@ -43,8 +46,8 @@ class PyramidFeed : public PrimaryFeed {
     std::vector<Sample> samples;
     ProcessId owner = kHost;  // expected; kHost: nobody is; who asks, where nothing is expected
   };
-  Pyramid TakeFor(ProcessId process, size_t most, PixelSampling* sampling);
-
+  void LookAhead(PixelSampling* sampling);
+  Pyramid TakeFor(ProcessId process, PixelSampling* sampling);
   size_t PyramidsAtOnce(const Picture& picture) const;
 
   size_t pyramid_;
