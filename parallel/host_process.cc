@@ -2,7 +2,6 @@
 #include "parallel/host_process.h"
 
 #include <algorithm>
-#include <functional>
 #include <stdexcept>
 #include <utility>
 
@@ -48,24 +47,6 @@ uint64_t BytesBeside(const CellTree& tree, const SceneSpec& scene, Shadows shado
   return tree.bytes() + tree.size() * (sizeof(Bounds) + 2) + tree.nodes().size() +
          RayPacker(processes).bytes() + PendingIntersections::kLeastBytes +
          2 * BytesPerPrimaryRay(scene, shadows);
-}
-
-// Puts what a message says of samples, by bundles. pixel_of(item): its sample and colour.
-template <class Item, class PixelOf>
-void PutAll(const std::vector<Item>& items, double distance, bool hit, PixelOf pixel_of,
-            PixelSampling* sampling) {
-  constexpr size_t kAtOnce = 256;
-  Sample samples[kAtOnce];
-  RayResult results[kAtOnce];
-  for (size_t begin = 0; begin < items.size(); begin += kAtOnce) {
-    const size_t count = std::min(kAtOnce, items.size() - begin);
-    for (size_t i = 0; i < count; ++i) {
-      const PixelItem& pixel = pixel_of(items[begin + i]);
-      samples[i] = SampleOf(pixel.token);
-      results[i] = {pixel.color, distance, hit};
-    }
-    sampling->Put({samples, count}, {results, count});
-  }
 }
 
 std::string Bytes(uint64_t n) { return std::to_string(n) + " bytes"; }
@@ -243,17 +224,31 @@ void HostProcess::On(ProcessId, const PixelResults& message, Outbox*) {
   if (count > in_flight_) throw WireError("more results than rays");
   const Settings& settings = spool_->scene().settings;
   message.voids.Check(*camera_, settings.samples);
-  for (const auto* items : {&message.misses, &message.hits}) {
-    for (const PixelItem& i : *items) CheckSample(SampleOf(i.token), *camera_, settings.samples);
-  }
   in_flight_ -= count;
   samples_done_ += count;
-  const auto background = [&settings](uint64_t token) {
-    return PixelItem{token, settings.background};
-  };
-  PutAll(message.voids.tokens(), kFar, false, background, sampling_.get());
-  PutAll(message.misses, kFar, false, std::identity(), sampling_.get());
-  PutAll(message.hits, 0, true, std::identity(), sampling_.get());
+  for (const SampleRun& run : message.voids.runs()) {
+    sampling_->PutRun(SampleOf(run.first()), static_cast<int>(run.count()),
+                      {settings.background, kFar, false});
+  }
+  Put(message.misses, kFar, false);
+  Put(message.hits, 0, true);
+}
+
+// By bundles; each item is told by a message and therefore checked.
+void HostProcess::Put(std::span<const PixelItem> items, double distance, bool hit) {
+  constexpr size_t kAtOnce = 256;
+  Sample samples[kAtOnce];
+  RayResult results[kAtOnce];
+  while (!items.empty()) {
+    const size_t count = std::min(kAtOnce, items.size());
+    for (size_t i = 0; i < count; ++i) {
+      samples[i] = SampleOf(items[i].token);
+      CheckSample(samples[i], *camera_, spool_->scene().settings.samples);
+      results[i] = {items[i].color, distance, hit};
+    }
+    sampling_->Put({samples, count}, {results, count});
+    items = items.subspan(count);
+  }
 }
 
 void HostProcess::On(ProcessId from, const Statistics& message, Outbox*) {

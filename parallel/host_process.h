@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -74,6 +75,7 @@ class HostProcess : public Process {
   void On(ProcessId from, const Statistics& message, Outbox* outbox);
   void On(ProcessId from, const Text& message, Outbox* outbox);
   void On(ProcessId from, const Failure& message, Outbox* outbox);
+  void Put(std::span<const PixelItem> items, double distance, bool hit);
 
   std::optional<std::pair<ProcessId, uint64_t>> Balance();
   std::pair<ProcessId, uint64_t> FullestProcess() const;

@@ -59,13 +59,28 @@ struct PixelSampling::Impl {
       if (begin + kAhead < samples.size()) Prefetch(samples[begin + kAhead]);
       const int y = samples[begin].y;
       for (end = begin; end < samples.size() && samples[end].y == y; ++end) {
-        if (y == picture.height()) continue;
-        const RayResult& result = results[end];
-        picture.at(samples[end].x, y) = {result.color, result.hit ? 1.0 : 0.0, y == 0};
+        if (y < picture.height()) picture.at(samples[end].x, y) = ValueOf(results[end], y);
       }
-      put += end - begin;
-      missing[y] -= static_cast<int>(end - begin);
+      CountPut(y, static_cast<int>(end - begin));
     }
+    FindRows();
+  }
+
+  void PutRunOfOne(const Sample& first, int count, const RayResult& result) {
+    if (first.y < picture.height())
+      std::fill_n(&picture.at(first.x, first.y), count, ValueOf(result, first.y));
+    CountPut(first.y, count);
+    FindRows();
+  }
+
+  static PixelValue ValueOf(const RayResult& result, int y) {
+    return {result.color, result.hit ? 1.0 : 0.0, y == 0};
+  }
+  void CountPut(int y, int count) {
+    put += count;
+    missing[y] -= count;
+  }
+  void FindRows() {
     while (rows < static_cast<int>(missing.size()) && missing[rows] == 0) ++rows;
   }
 
@@ -129,6 +144,13 @@ void PixelSampling::Put(std::span<const Sample> samples, std::span<const RayResu
   } else {
     impl_->PutOfOne(samples, results);
   }
+}
+
+void PixelSampling::PutRun(const Sample& first, int count, const RayResult& result) {
+  if (!impl_->adaptive) return impl_->PutRunOfOne(first, count, result);
+  Sample sample = first;
+  for (const int end = first.x + count; sample.x < end; ++sample.x)
+    impl_->adaptive->Put(sample, result);
 }
 
 bool PixelSampling::done() const {

@@ -36,6 +36,8 @@ class PixelSampling {
   // The result of a sample that Next gave, each once.
   void Put(const Sample& sample, const RayResult& result);
   void Put(std::span<const Sample> samples, std::span<const RayResult> results);
+  // Of `count` samples side by side in a row, from `first` on, that all have the same result.
+  void PutRun(const Sample& first, int count, const RayResult& result);
 
   bool done() const;             // every pixel of the picture is final
   int rows_done() const;         // final rows, from the top

@@ -222,6 +222,30 @@ TEST(PixelSampling, GoesOnToTheSamePictureAfterBeingCutShort) {
   }
 }
 
+TEST(PixelSampling, TakesSamplesSideBySideTogether) {
+  for (const int n : {1, 3}) {
+    const Settings settings = Base(n, true);
+    const Camera camera(settings, 0);
+    PixelSampling one_by_one(settings, camera, false), by_runs(settings, camera, false);
+    while (!by_runs.done()) {
+      const std::vector<Sample> samples = by_runs.Next(100);
+      ASSERT_EQ(one_by_one.Next(100), samples);
+      for (size_t begin = 0, end; begin < samples.size(); begin = end) {
+        const Sample& first = samples[begin];
+        const RayResult result{{0.01 * first.x, 0.02 * first.y, 1}, 5, first.x % 3 != 0};
+        Sample next = first;
+        for (end = begin; end < samples.size() && samples[end] == next; ++end, ++next.x)
+          one_by_one.Put(next, result);
+        by_runs.PutRun(first, static_cast<int>(end - begin), result);
+      }
+      ASSERT_EQ(by_runs.rows_done(), one_by_one.rows_done());
+    }
+    EXPECT_TRUE(one_by_one.done());
+    EXPECT_EQ(by_runs.Save(), one_by_one.Save());
+    EXPECT_EQ(by_runs.supersampled_pixels(), one_by_one.supersampled_pixels());
+  }
+}
+
 TEST(PixelSampling, RefusesASavedStateThatIsCutShortItself) {
   for (const int n : {1, 3}) {
     const Settings settings = Base(n, true);
