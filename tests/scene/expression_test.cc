@@ -73,6 +73,22 @@ TEST(Expressions, NumbersReadAsTheNearestDouble) {
   }
 }
 
+TEST(Expressions, NumbersOfEachLengthReadAsTheNearestDouble) {
+  const std::string digits = "90817263549081726354";
+  for (size_t whole = 0; whole <= 10; ++whole) {
+    for (size_t fraction = 0; fraction <= 18; ++fraction) {
+      if (whole + fraction == 0) continue;
+      const std::string number = digits.substr(whole, whole) + "." + digits.substr(1, fraction);
+      for (const std::string& text :
+           {"fov " + number + " sphere 1 0 0 0", "sphere 1 0 0 0 fov " + number + "\n"}) {
+        const Reading r = ReadText(text);
+        ASSERT_EQ(r.sink.settings.size(), 1u) << number << r.messages;
+        EXPECT_EQ(r.sink.settings[0].hfov, std::strtod(number.c_str(), nullptr)) << number;
+      }
+    }
+  }
+}
+
 TEST(Expressions, MistakesHaveTheOriginalsWordsAndStatus) {
   struct Mistake {
     const char* input;
