@@ -14,13 +14,16 @@ constexpr size_t kPyramidsAhead = 256;
 constexpr size_t kPyramidsAtOnce = 4, kShares = 8;
 // So many that are expected to hit nothing count as one: they are traced before the next answer
 // comes.
-constexpr size_t kVoidsAsOne = 4;
+constexpr size_t kVoidsAsOne = 16;
+// Most pyramids in an answer, whatever is expected: others are to find room for their rays as well.
+constexpr size_t kMostAtOnce = 32;
 
 void PyramidFeed::LookAhead(PixelSampling* sampling) {
   while (!owners_.empty() && ahead_.size() < kPyramidsAhead) {
     Pyramid next{sampling->Next(pyramid_)};
     if (next.samples.empty()) break;
     next.owner = owners_.OwnerOf(next.samples);
+    voids_ahead_ += next.owner == kHost;
     ahead_.push_back(std::move(next));
   }
 }
@@ -38,15 +41,17 @@ PyramidFeed::Pyramid PyramidFeed::TakeFor(ProcessId process, PixelSampling* samp
   if (best == ahead_.end()) return {};
   Pyramid taken = std::move(*best);
   ahead_.erase(best);
+  voids_ahead_ -= taken.owner == kHost;
   return taken;
 }
 
-// At most so many pyramids answer a request: fewer where a process could be left without at the
-// end.
-size_t PyramidFeed::PyramidsAtOnce(const Picture& picture) const {
+// At most so many pyramids answer a request, counted in those that are expected to hit nothing: few
+// where a process could be left without at the end, but always one that hits something.
+size_t PyramidFeed::VoidsAtOnce(const Picture& picture) const {
   const uint64_t pixels = uint64_t(picture.width()) * picture.height();
-  const uint64_t left = pixels - std::min(pixels, handed_out_);
-  return std::clamp<uint64_t>(left / (kShares * processes_ * pyramid_), 1,
+  const uint64_t most = (pixels - std::min(pixels, handed_out_)) * kVoidsAsOne / pyramid_;
+  const uint64_t left = most - std::min(most, uint64_t(voids_ahead_) * (kVoidsAsOne - 1));
+  return std::clamp<uint64_t>(left / (kShares * processes_), kVoidsAsOne,
                               kVoidsAsOne * kPyramidsAtOnce);
 }
 
@@ -55,8 +60,9 @@ size_t PyramidFeed::HandOut(size_t room, PixelSampling* sampling, Outbox* outbox
   while (!requests_.empty() && handed_out < room) {
     const ProcessId to = requests_.front();
     PrimaryRays message;
-    size_t voids = kVoidsAsOne * kPyramidsAtOnce;
-    for (size_t n = PyramidsAtOnce(sampling->picture()); n > 0 && voids > 0; --n) {
+    LookAhead(sampling);
+    size_t voids = VoidsAtOnce(sampling->picture());
+    for (size_t n = kMostAtOnce; n > 0 && voids > 0; --n) {
       if (room - handed_out < pyramid_) break;  // no slivers: wait for results
       const Pyramid pyramid = TakeFor(to, sampling);
       if (pyramid.samples.empty()) break;

@@ -28,10 +28,10 @@ class PrimaryFeed {
 };
 
 // "There is a host process that issues bundles of rays on request" [RJ s.4]: each request is
-// answered by one pyramid, or by up to four in one message while much of the picture is left. Where
-// owners of hits are expected, the process that asks gets a pyramid that it is expected to own,
-// before one that hits nothing, before one of another's: a hit that is found where it is shaded
-// need not be transferred. Of those that are expected to hit nothing four count as one.
+// answered by one pyramid, or by up to four in one message while much work is left. Where owners of
+// hits are expected, the process that asks gets a pyramid that it is expected to own, before one
+// that hits nothing, before one of another's: a hit that is found where it is shaded need not be
+// transferred. Of those that are expected to hit nothing sixteen count as one.
 class PyramidFeed : public PrimaryFeed {
  public:
   // pyramid: most samples in one.
@@ -48,13 +48,14 @@ class PyramidFeed : public PrimaryFeed {
   };
   void LookAhead(PixelSampling* sampling);
   Pyramid TakeFor(ProcessId process, PixelSampling* sampling);
-  size_t PyramidsAtOnce(const Picture& picture) const;
+  size_t VoidsAtOnce(const Picture& picture) const;
 
   size_t pyramid_;
   ProcessId processes_;
   ExpectedOwners owners_;
   uint64_t handed_out_ = 0;    // samples
   std::deque<Pyramid> ahead_;  // looked at and not handed out, in the picture's order
+  size_t voids_ahead_ = 0;     // of those, expected to hit nothing
   std::deque<ProcessId> requests_;
 };
 
