@@ -7,6 +7,7 @@
 
 #include "parallel/balanced_distribution.h"
 #include "parallel/cell_tree.h"
+#include "parallel/sample_runs.h"
 #include "rayshade/render/camera.h"
 
 namespace rayshade::parallel {
@@ -24,12 +25,16 @@ class ExpectedOwners {
 
   bool empty() const { return owners_.empty(); }
 
-  // The owner of most hits; kHost: none is expected. Of many samples, some tell.
-  ProcessId OwnerOf(const std::vector<Sample>& samples) const {
+  // The owner of most hits; kHost: none is expected. The first of a run tells for it, and of many
+  // runs some tell.
+  ProcessId OwnerOf(const SampleRuns& samples) const {
     constexpr size_t kTell = 64;
     std::vector<size_t> votes(processes_ + size_t{1});
-    const size_t step = samples.size() / kTell | 1;  // odd: not always the same columns
-    for (size_t i = 0; i < samples.size(); i += step) ++votes[owners_[Square(samples[i])]];
+    const std::vector<SampleRun>& runs = samples.runs();
+    const size_t step = runs.size() / kTell | 1;  // odd: not always the same columns
+    for (size_t i = 0; i < runs.size(); i += step) {
+      votes[owners_[Square(SampleOf(runs[i].first()))]] += runs[i].count();
+    }
     votes[kHost] = 0;  // the first of the largest: where all are 0, it is this one
     return static_cast<ProcessId>(std::max_element(votes.begin(), votes.end()) - votes.begin());
   }

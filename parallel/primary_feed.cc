@@ -18,9 +18,15 @@ constexpr size_t kVoidsAsOne = 16;
 // Most pyramids in an answer, whatever is expected: others are to find room for their rays as well.
 constexpr size_t kMostAtOnce = 32;
 
+SampleRuns PyramidFeed::Next(PixelSampling* sampling) const {
+  SampleRuns runs;
+  for (const Sample& sample : sampling->Next(pyramid_)) runs.Add(TokenOf(sample));
+  return runs;
+}
+
 void PyramidFeed::LookAhead(PixelSampling* sampling) {
   while (!owners_.empty() && ahead_.size() < kPyramidsAhead) {
-    Pyramid next{sampling->Next(pyramid_)};
+    Pyramid next{Next(sampling)};
     if (next.samples.empty()) break;
     next.owner = owners_.OwnerOf(next.samples);
     voids_ahead_ += next.owner == kHost;
@@ -29,7 +35,7 @@ void PyramidFeed::LookAhead(PixelSampling* sampling) {
 }
 
 PyramidFeed::Pyramid PyramidFeed::TakeFor(ProcessId process, PixelSampling* sampling) {
-  if (owners_.empty()) return {sampling->Next(pyramid_), process};
+  if (owners_.empty()) return {Next(sampling), process};
   LookAhead(sampling);
   auto best = ahead_.begin();
   const auto rank = [process](const Pyramid& p) {
@@ -66,7 +72,7 @@ size_t PyramidFeed::HandOut(size_t room, PixelSampling* sampling, Outbox* outbox
       if (room - handed_out < pyramid_) break;  // no slivers: wait for results
       const Pyramid pyramid = TakeFor(to, sampling);
       if (pyramid.samples.empty()) break;
-      for (const Sample& sample : pyramid.samples) message.samples.Add(TokenOf(sample));
+      message.samples.Append(pyramid.samples);
       handed_out += pyramid.samples.size();
       voids -= std::min(voids, pyramid.owner == kHost ? 1 : kVoidsAsOne);
     }

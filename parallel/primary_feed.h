@@ -43,9 +43,10 @@ class PyramidFeed : public PrimaryFeed {
 
  private:
   struct Pyramid {
-    std::vector<Sample> samples;
+    SampleRuns samples;
     ProcessId owner = kHost;  // expected; kHost: nobody is; who asks, where nothing is expected
   };
+  SampleRuns Next(PixelSampling* sampling) const;
   void LookAhead(PixelSampling* sampling);
   Pyramid TakeFor(ProcessId process, PixelSampling* sampling);
   size_t VoidsAtOnce(const Picture& picture) const;

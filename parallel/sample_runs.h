@@ -70,6 +70,10 @@ class SampleRuns {
     ++size_;
     if (runs_.empty() || !runs_.back().Join(token)) runs_.emplace_back(token);
   }
+  void Append(const SampleRuns& more) {
+    runs_.insert(runs_.end(), more.runs_.begin(), more.runs_.end());
+    size_ += more.size_;
+  }
   void clear() {
     runs_.clear();
     size_ = 0;
