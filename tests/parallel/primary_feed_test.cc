@@ -67,18 +67,20 @@ TEST_F(Pyramids, OfTheAskingProcessComeFirstThenVoidsThenThoseOfOthers) {
   PyramidFeed feed(4, 2, ExpectedOwners(hits_, tree_, camera_->window()));
   Ask(&feed, 2, 100);
   std::set<uint64_t> seen;
-  std::vector<int> columns;
+  std::vector<Sample> samples;  // of the picture
   for (size_t m = 0; m < sent_.tokens_.size(); ++m) {
     EXPECT_EQ(sent_.to_[m], 2);
-    columns.push_back(ColumnOf(m));
-    seen.insert(sent_.tokens_[m].begin(), sent_.tokens_[m].end());
+    for (const uint64_t token : sent_.tokens_[m]) {
+      seen.insert(token);
+      if (SampleOf(token).y < 8) samples.push_back(SampleOf(token));
+    }
   }
   EXPECT_EQ(seen.size(), 8u * 9) << "every sample once, the row below the picture as well";
-  const size_t rows = 4;  // of pyramids; the row below adds some at the end
-  for (size_t m = 0; m < rows; ++m) EXPECT_EQ(columns.at(m), 3) << m;
-  EXPECT_TRUE(columns.at(rows) == 1 || columns.at(rows) == 2);
-  EXPECT_NE(columns.at(rows + 1), 0);
-  EXPECT_EQ(columns.back(), 0);
+  ASSERT_EQ(samples.size(), 8u * 8);
+  const auto column = [&](size_t i) { return samples[i].x / 2; };
+  for (size_t i = 0; i < 16; ++i) EXPECT_EQ(column(i), 3) << i;
+  for (size_t i = 16; i < 48; ++i) EXPECT_TRUE(column(i) == 1 || column(i) == 2) << i;
+  for (size_t i = 48; i < 64; ++i) EXPECT_EQ(column(i), 0) << i;
 }
 
 TEST_F(Pyramids, ComeFourAtOnceWhileMuchWorkIsLeft) {
