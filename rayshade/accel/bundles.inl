@@ -100,7 +100,7 @@ RAYSHADE_ROUTINE void NearestInLeafOfBundle(const TraceView& view, Bundle* b, ui
         may = RaysAtParts(view, *b, g, *o.polygon, may, &parts, nullptr);
       }
       if (may == 0) continue;
-      const Met met = MeetObject(*b, g, o);
+      const Met met = MeetObject(*b, g, may, o);
       if (met.hit != 0 && TakeNearest(view, b, g, met, o, hits)) changed |= 1u << g;
       const uint32_t unsure = met.unsure & may;
       if (unsure != 0 && AskNearest(view, b, g, unsure, o.object, hits)) changed |= 1u << g;
@@ -208,18 +208,21 @@ RAYSHADE_KERNEL Meeting MeetingOf(const TraceView& view, const Bundle& b, int ra
   return opaque ? Meeting::kOpaque : Meeting::kTransparent;
 }
 
-// Rays that are found blocked leave the bundle.
-RAYSHADE_ROUTINE void BlockInLeafOfBundle(const TraceView& view, Bundle* b, uint64_t branch,
+// Rays that are found blocked leave the bundle. Returns whether there are any.
+RAYSHADE_ROUTINE bool BlockInLeafOfBundle(const TraceView& view, Bundle* b, uint64_t branch,
                                           uint32_t groups, const Fate& fate, Counters* counters) {
+  bool any = false;
   SeenLeaf leaf;
   SeenParts parts;
   SeeLeaf(view, *b, branch, &leaf);
   for (uint32_t left = leaf.bits; left != 0; left &= left - 1) {
     const uint32_t i = static_cast<uint32_t>(__builtin_ctz(left));
+    uint32_t m = GroupsThatMayMeet(*b, leaf, KindOf(branch), i, groups);
+    if (m == 0) continue;
     const LeafObject o = ObjectOfLeaf(view, branch, i);
     const bool opaque = o.kind == kOtherLeaf || IsOpaque(view, o.object);
     if (!opaque && fate.crossed == nullptr) continue;
-    for (uint32_t m = GroupsThatMayMeet(*b, leaf, o.kind, i, groups); m != 0; m &= m - 1) {
+    for (; m != 0; m &= m - 1) {
       const int g = __builtin_ctz(m);
       uint32_t surely;
       uint32_t may = RaysThatMayMeet(*b, g, leaf, o.kind, i, &surely);
@@ -228,6 +231,7 @@ RAYSHADE_ROUTINE void BlockInLeafOfBundle(const TraceView& view, Bundle* b, uint
       }
       if (may == 0) continue;
       if (opaque && surely != 0) {
+        any = true;
         b->live[g] &= ~surely;
         if (b->live[g] == 0) b->most[g] = -1;
         for (uint32_t bits = surely; bits != 0; bits &= bits - 1) {
@@ -236,8 +240,9 @@ RAYSHADE_ROUTINE void BlockInLeafOfBundle(const TraceView& view, Bundle* b, uint
         }
         if (may == surely) continue;
       }
-      const Met met = MeetObject(*b, g, o);
-      const uint32_t met_bits = (met.hit | met.unsure) & may & b->live[g];
+      const uint32_t asked = may & b->live[g];
+      const Met met = MeetObject(*b, g, asked, o);
+      const uint32_t met_bits = (met.hit | met.unsure) & asked;
       if (met_bits == 0) continue;
       alignas(64) double at[8];
       Store(met.distance, at);
@@ -248,6 +253,7 @@ RAYSHADE_ROUTINE void BlockInLeafOfBundle(const TraceView& view, Bundle* b, uint
         if (meeting == Meeting::kTransparent && fate.crossed != nullptr) fate.crossed[ray] = 1;
         if (meeting != Meeting::kOpaque) continue;
         fate.blocked[ray] = 1;
+        any = true;
         b->best[g][lane] = -1;
         b->live[g] &= ~(1u << lane);
         CountHit(view, o.object, counters);
@@ -255,11 +261,19 @@ RAYSHADE_ROUTINE void BlockInLeafOfBundle(const TraceView& view, Bundle* b, uint
       if (b->live[g] == 0) b->most[g] = -1;
     }
   }
+  return any;
 }
 
-// run: bits of the groups.
+// run: bits of the groups. *last_blocker: the leaf in which rays of a bundle before were blocked
+// last, or 0; it is looked at first, since neighbours are often blocked by the same object.
+// Callbacks are spared that.
 RAYSHADE_ROUTINE void BlockBundle(const TraceView& view, Bundle* b, uint32_t run, const Fate& fate,
-                                  uint32_t first, LoneRays* lone, Counters* counters) {
+                                  uint32_t first, LoneRays* lone, uint64_t* last_blocker,
+                                  Counters* counters) {
+  if (*last_blocker != 0) {
+    CountTests(view, KindOf(*last_blocker), *last_blocker, RaysIn(run), counters);
+    if (!BlockInLeafOfBundle(view, b, *last_blocker, run, fate, counters)) *last_blocker = 0;
+  }
   BundleEntry stack[kStackSize];
   BundleEntry* top = stack;
   int alone = 0;  // visits of one group
@@ -277,7 +291,8 @@ RAYSHADE_ROUTINE void BlockBundle(const TraceView& view, Bundle* b, uint32_t run
     }
     if (KindOf(branch) != kInnerNode) {
       CountTests(view, KindOf(branch), branch, RaysIn(groups), counters);
-      BlockInLeafOfBundle(view, b, branch, groups, fate, counters);
+      const bool blocked = BlockInLeafOfBundle(view, b, branch, groups, fate, counters);
+      if (blocked && KindOf(branch) != kOtherLeaf) *last_blocker = branch;
     } else {
       ++counters->nodes;
       top = PushMet(view, *b, branch, groups, false, top);

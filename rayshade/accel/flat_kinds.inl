@@ -51,11 +51,11 @@ RAYSHADE_KERNEL D8 Magnitude(const Bundle& b, int g, D8 distance, double reach) 
   return far + Size(distance) + SetD(reach);
 }
 
-RAYSHADE_KERNEL Met MeetTriangle(const Bundle& b, int g, const TriangleShape& t) {
+RAYSHADE_KERNEL Met MeetTriangle(const Bundle& b, int g, uint32_t asked, const TriangleShape& t) {
   const PlaneMet plane = MeetPlane(b, g, t.normal, t.offset);
   Met met;
   met.distance = plane.distance;
-  if (plane.bits == 0) return met;
+  if ((plane.bits & asked) == 0) return met;
   const D8 hit_u = LoadD(b.o[t.u][g]) + plane.distance * LoadD(b.d[t.u][g]);
   const D8 hit_v = LoadD(b.o[t.v][g]) + plane.distance * LoadD(b.d[t.v][g]);
   D8 weight[3];
@@ -72,13 +72,13 @@ RAYSHADE_KERNEL Met MeetTriangle(const Bundle& b, int g, const TriangleShape& t)
   return met;
 }
 
-RAYSHADE_KERNEL Met MeetPolygon(const Bundle& b, int g, const FlatPolygon& polygon,
+RAYSHADE_KERNEL Met MeetPolygon(const Bundle& b, int g, uint32_t asked, const FlatPolygon& polygon,
                                 const Vector* points) {
   const PolygonPlane& p = polygon.plane;
   const PlaneMet plane = MeetPlane(b, g, p.normal, p.offset);
   Met met;
   met.distance = plane.distance;
-  if (plane.bits == 0) return met;
+  if ((plane.bits & asked) == 0) return met;
   const D8 hit_u = LoadD(b.o[p.u][g]) + plane.distance * LoadD(b.d[p.u][g]);
   const D8 hit_v = LoadD(b.o[p.v][g]) + plane.distance * LoadD(b.d[p.v][g]);
   const D8 margin =
@@ -151,10 +151,11 @@ RAYSHADE_KERNEL bool IsInParts(const LeafObject& o) {
   return o.kind == kPolygonLeaf && o.polygon->part_count != 0;
 }
 
-RAYSHADE_KERNEL Met MeetObject(const Bundle& b, int g, const LeafObject& o) {
+// asked: bits of the rays that matter; of others nothing is known where none of these meets it.
+RAYSHADE_KERNEL Met MeetObject(const Bundle& b, int g, uint32_t asked, const LeafObject& o) {
   if (o.kind == kSphereLeaf) return MeetSphere(b, g, o.x, o.y, o.z, o.radius);
-  if (o.kind == kTriangleLeaf) return MeetTriangle(b, g, *o.triangle);
-  if (o.kind == kPolygonLeaf) return MeetPolygon(b, g, *o.polygon, o.points);
+  if (o.kind == kTriangleLeaf) return MeetTriangle(b, g, asked, *o.triangle);
+  if (o.kind == kPolygonLeaf) return MeetPolygon(b, g, asked, *o.polygon, o.points);
   Met met;
   met.distance = SetD(0);
   met.unsure = LessEqual(SetD(0), LoadD(b.best[g]));

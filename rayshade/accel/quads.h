@@ -21,7 +21,7 @@
 namespace rayshade {
 
 inline constexpr int kQuadRows = 19;
-inline constexpr uint32_t kPartsMost = 40;  // of one polygon (polygon_parts.h)
+inline constexpr uint32_t kPartsMost = 64;  // of one polygon (polygon_parts.h)
 
 // Relative to the hierarchy's center.
 struct Quad {

@@ -43,7 +43,7 @@ RAYSHADE_ROUTINE bool TryNearest(const TraceView& view, const Ray* rays, const d
 
 RAYSHADE_ROUTINE bool TryBlock(const TraceView& view, const Ray* rays, const double* limits,
                                const Fate& fate, uint32_t count, float widest, uint32_t first,
-                               LoneRays* lone, Counters* counters) {
+                               LoneRays* lone, uint64_t* last_blocker, Counters* counters) {
   Bundle b;
   LoadRays(rays, count, &b);
   bool ended = true;
@@ -76,7 +76,7 @@ RAYSHADE_ROUTINE bool TryBlock(const TraceView& view, const Ray* rays, const dou
   for (int g = 0; g < b.groups; ++g) UpdateMost(&b, g);
   UpdateWholeMost(&b);
   if (view.node_count > 0) {
-    BlockBundle(view, &b, (1u << b.groups) - 1, fate, first, lone, counters);
+    BlockBundle(view, &b, (1u << b.groups) - 1, fate, first, lone, last_blocker, counters);
   }
   return true;
 }
@@ -123,10 +123,10 @@ RAYSHADE_KERNEL Fate FateFrom(const Fate& fate, uint32_t first) {
 // are better off alone.
 RAYSHADE_ROUTINE void BlockSome(const TraceView& view, const Ray* rays, const double* limits,
                                 const Fate& fate, uint32_t first, uint32_t count, LoneRays* lone,
-                                Counters* counters) {
+                                uint64_t* last_blocker, Counters* counters) {
   const float widest = count > 8 ? kWidestShadowBundle : kWidestShadowGroup;
   if (count > 1 && TryBlock(view, rays + first, limits + first, FateFrom(fate, first), count,
-                            widest, first, lone, counters)) {
+                            widest, first, lone, last_blocker, counters)) {
     return;
   }
   if (count <= 8) {
@@ -136,16 +136,17 @@ RAYSHADE_ROUTINE void BlockSome(const TraceView& view, const Ray* rays, const do
     return;
   }
   const uint32_t half = (count + 15) / 16 * 8;
-  BlockSome(view, rays, limits, fate, first, half, lone, counters);
-  BlockSome(view, rays, limits, fate, first + half, count - half, lone, counters);
+  BlockSome(view, rays, limits, fate, first, half, lone, last_blocker, counters);
+  BlockSome(view, rays, limits, fate, first + half, count - half, lone, last_blocker, counters);
 }
 
 RAYSHADE_ROUTINE void BlockMany(const TraceView& view, const Ray* rays, const double* limits,
                                 const Fate& fate, uint32_t count, Counters* counters) {
   LoneRays lone;
+  uint64_t last_blocker = 0;
   for (uint32_t i = 0; i < count; i += kBundleSize) {
     const uint32_t size = count - i < kBundleSize ? count - i : kBundleSize;
-    BlockSome(view, rays, limits, fate, i, size, &lone, counters);
+    BlockSome(view, rays, limits, fate, i, size, &lone, &last_blocker, counters);
   }
   BlockLone(view, rays, lone.rays, lone.count, fate, counters);
 }

@@ -168,7 +168,7 @@ RAYSHADE_KERNEL void SurroundRun(const TraceView& view, const ShadowRows& rows, 
 // that are better off alone; first: of the bundle among the rows.
 RAYSHADE_KERNEL void BlockRuns(const TraceView& view, const ShadowRows& rows, uint32_t groups,
                                double sign, const Fate& fate, uint32_t first, Bundle* b,
-                               LoneRays* lone, Counters* counters) {
+                               LoneRays* lone, uint64_t* last_blocker, Counters* counters) {
   const Togetherness& widest = TogethernessIn(view);
   while (groups != 0) {
     const uint32_t run = NarrowRun(groups, widest.run, b);
@@ -183,14 +183,14 @@ RAYSHADE_KERNEL void BlockRuns(const TraceView& view, const ShadowRows& rows, ui
     if (one) {
       BlockGroup(view, b, __builtin_ctz(run), fate, counters);
     } else {
-      BlockBundle(view, b, run, fate, first, lone, counters);
+      BlockBundle(view, b, run, fate, first, lone, last_blocker, counters);
     }
   }
 }
 
 RAYSHADE_ROUTINE void BlockRowsOfBundle(const TraceView& view, const ShadowRows& rows,
                                         uint32_t first, uint32_t count, LoneRays* lone,
-                                        Counters* counters) {
+                                        uint64_t* last_blocker, Counters* counters) {
   Bundle b;
   LoadRows(rows, first, count, &b);
   const Fate fate = FateFrom({rows.blocked, rows.crossed}, first);
@@ -213,7 +213,7 @@ RAYSHADE_ROUTINE void BlockRowsOfBundle(const TraceView& view, const ShadowRows&
     const double sign = d[b.axis] < 0 ? -1 : 1;
     const uint32_t taken = TakeGroups(groups, b.axis, sign, left, &b);
     if ((taken >> g & 1) != 0) {
-      BlockRuns(view, rows, taken, sign, fate, first, &b, lone, counters);
+      BlockRuns(view, rows, taken, sign, fate, first, &b, lone, last_blocker, counters);
     } else {
       // Not a direction.
       b.live[g] = 1u << lane;

@@ -57,9 +57,10 @@ void Block(const TraceView& view, const Ray* rays, const double* limits, uint8_t
 void BlockRows(const TraceView& view, const ShadowRows& rows, OpCounts* counts) {
   Counters counters;
   LoneRays lone;
+  uint64_t last_blocker = 0;
   for (uint32_t i = 0; i < rows.count; i += kBundleSize) {
     const uint32_t size = rows.count - i < kBundleSize ? rows.count - i : kBundleSize;
-    BlockRowsOfBundle(view, rows, i, size, &lone, &counters);
+    BlockRowsOfBundle(view, rows, i, size, &lone, &last_blocker, &counters);
     if (lone.count <= kLoneMost - kBundleSize && i + size < rows.count) continue;
     BlockLoneOfRows(view, rows, lone, &counters);
     lone.Clear();

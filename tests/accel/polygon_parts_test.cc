@@ -66,6 +66,15 @@ TEST(PolygonParts, OfAHoleWithASeamAndOfPointsInARow) {
   EXPECT_GT(Check({{0, 0, 0}, {.5, 0, 0}, {1, 0, 0}, {1, 1, 0}, {.3, 1, 0}, {0, 1, 0}}), 0u);
 }
 
+TEST(PolygonParts, OfARoundTableOfAHundredPoints) {
+  std::vector<Vector> table;
+  for (int i = 0; i < 100; ++i) {
+    const double angle = 2 * 3.141592653589793 * i / 100;
+    table.push_back({std::cos(angle), .4 * std::sin(angle), 0});
+  }
+  EXPECT_GT(Check(table), 0u);
+}
+
 TEST(PolygonParts, WhatWindsBothWaysOrHasTooManyPointsHasNone) {
   EXPECT_EQ(Check({{-1, -1, 0}, {1, 1, 0}, {1, -1, 0}, {-1, .9, 0}}), 0u);
   std::vector<Vector> circle;

@@ -4,6 +4,7 @@
 // corners, and where points are off their plane.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <memory>
@@ -66,7 +67,7 @@ Room MakeRoom(Random* random, const Vector& center, double off) {
   Room room;
   room.center = center;
   for (int i = 0; i < 60; ++i) AddFlat(random, off, &room);
-  for (int tips : {2, 3, 5, 12, 19, 25}) AddStar(random, tips, off, &room);
+  for (int tips : {2, 3, 5, 12, 19, 25, 40}) AddStar(random, tips, off, &room);
   for (int i = 0; i < 12; ++i) {
     const Vector base = center + RandomPoint(random, 4);
     room.specs.push_back(ConeSpec{0.5, base, 0.2, base + RandomPoint(random, 1)});
@@ -134,7 +135,7 @@ struct Rows {
       for (int k = 0; k < 3; ++k) point[k][i] = starts[i][k];
     }
   }
-  void Trace(const ObjectSet& set, const Vector& light, double reach) {
+  OpCounts Trace(const ObjectSet& set, const Vector& light, double reach) {
     set.Aim({{point[0], point[1], point[2]},
              {normal[0], normal[1], normal[2]},
              static_cast<uint32_t>(count),
@@ -153,6 +154,7 @@ struct Rows {
                crossed,
                static_cast<uint32_t>(count)},
               &counts);
+    return counts;
   }
   size_t count;
   double point[3][192] = {}, normal[3][192] = {}, toward[3][192], distance[192], cosine[192];
@@ -255,6 +257,31 @@ TEST(ShadowRows, AnswerAsBallsOneByOneAlsoAtTheirRims) {
   for (uint64_t seed = 81; seed <= 92; ++seed) Compare(seed, {0, 0, 0}, 0, Objects::kBalls);
   for (uint64_t seed = 93; seed <= 96; ++seed) Compare(seed, {1e3, -2e3, 3e3}, 0, Objects::kBalls);
   for (uint64_t seed = 97; seed <= 99; ++seed) Compare(seed, {2e5, -1e5, 3e5}, 0, Objects::kBalls);
+}
+
+// Bundles ask what blocked the one before them before they enter the hierarchy.
+TEST(ShadowRows, OfManyBundlesBehindAWallTheFirstAloneVisitsNodes) {
+  const std::unique_ptr<Scene> scene = MakeScene();
+  for (const char* simd : kAllKernels) {
+    setenv("RAYSHADE_SIMD", simd, 1);
+    ObjectSet set(scene.get());
+    set.Add(PolygonSpec{{{-5, -5, 1}, {5, -5, 1}, {5, 5, 1}, {-5, 5, 1}}}, 0, 0);
+    Random random(7);
+    for (Rank rank = 1; rank < 300; ++rank) {
+      set.Add(SphereSpec{0.05, Vector{0, 0, 3} + RandomPoint(&random, 1)}, 0, rank);
+    }
+    set.Build();
+    unsetenv("RAYSHADE_SIMD");
+    std::vector<Vector> starts;
+    for (int i = 0; i < 192; ++i) starts.push_back({0.001 * (i % 16), 0.001 * (i / 16), 0});
+    Rows all(starts);
+    const OpCounts of_all = all.Trace(set, {0, 0, 10}, 20);
+    starts.resize(64);
+    const OpCounts of_first = Rows(starts).Trace(set, {0, 0, 10}, 20);
+    EXPECT_EQ(std::count(all.blocked, all.blocked + 192, 1), 192);
+    EXPECT_GT(of_first.node_visits, 0u) << simd;
+    EXPECT_EQ(of_all.node_visits, of_first.node_visits) << simd;
+  }
 }
 
 TEST(LightRows, DoWhatTheyDoForOneHitAtATime) {
