@@ -26,7 +26,7 @@ struct Togetherness {
   float run, packet;
   int nearest, block;
 };
-constexpr Togetherness kAmongAll = {0.1f, 0.1f, 5, 5}, kAmongSpheres = {0.03f, 0, 2, 1};
+constexpr Togetherness kAmongAll = {0.2f, 0.2f, 5, 8}, kAmongSpheres = {0.03f, 0, 2, 1};
 RAYSHADE_KERNEL const Togetherness& TogethernessIn(const TraceView& view) {
   return view.flat->items == nullptr ? kAmongSpheres : kAmongAll;
 }
