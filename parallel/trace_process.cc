@@ -192,7 +192,8 @@ void TraceProcess::Impl::On(ProcessId from, RayTask& message, Outbox*) {
     queue.Push(rays.bundle.rays[i], rays.media(i), rays.travel[i]);
   }
   statistics.data_rays += rays.size();
-  (from == kHost ? counts.primary_rays : rays_taken_up) += rays.size();
+  rays_taken_up += rays.size();
+  if (from == kHost) counts.primary_rays += rays.size();
 }
 
 void TraceProcess::Impl::On(ProcessId, IntersectionTask& message, Outbox*) {

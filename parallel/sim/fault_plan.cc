@@ -83,7 +83,7 @@ double FaultTiming::Draw() {
   return UnitOf(random_);
 }
 
-double FaultTiming::StepSeconds(ProcessId process, const WorkDone&, const WorkDone&) {
+double FaultTiming::StepSeconds(ProcessId process, const WorkDone&) {
   const double stall = plan_.stalls > 0 && Draw() < plan_.stalls ? 100 : 1;
   return slowness_[process] * stall * (0.01 + Draw());
 }

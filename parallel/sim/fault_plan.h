@@ -37,7 +37,7 @@ class FaultTiming : public Timing {
   // processes: the host and the trace processes.
   FaultTiming(const FaultPlan& plan, size_t processes);
 
-  double StepSeconds(ProcessId process, const WorkDone& before, const WorkDone& after) override;
+  double StepSeconds(ProcessId process, const WorkDone& work) override;
   double SendSeconds(size_t) override { return 0; }
   double ReceiveSeconds(size_t) override { return 0; }
   double ArrivalTime(ProcessId from, ProcessId to, size_t bytes, double now) override;

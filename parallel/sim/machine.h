@@ -16,41 +16,41 @@
 namespace rayshade::parallel {
 
 // X(name): one number of the description each.
-#define RAYSHADE_MACHINE(X)                                                                        \
-  X(nodes)                                                                                         \
-  X(processors) /* of a node; each has one trace process */                                        \
-  X(memory)     /* bytes of a node */                                                              \
-  X(system)     /* bytes that operating system, PVM and program take of each processor */          \
-  X(host_apart) /* 1: the host has a node of its own; 0: it is on the first */                     \
-  X(slowness)   /* operations take so many times as long as stated here, on one processor … */   \
-  X(node_slowness) /* … and a node so many times as long as that one */                          \
-  X(ray)           /* a ray of any kind begun */                                                   \
-  X(node_visit)    /* operations, as in op_counts.h; these two by bundles … */                   \
-  X(primitive_test)                                                                                \
-  X(lone_visit) /* … and these by rays alone */                                                  \
-  X(lone_test)                                                                                     \
-  X(cell_step)                                                                                     \
-  X(cell_test)                                                                                     \
-  X(cell_trace)                                                                                    \
-  X(shade)                                                                                         \
-  X(light_sample)                                                                                  \
-  X(object)         /* an object stored before tracing, its share of the hierarchy */              \
-  X(fetched_object) /* the same while tracing, in the hierarchy of a cell */                       \
-  X(lent_object)    /* at the owner of a fetched object: looked up and encoded */                  \
-  X(sample)         /* a sample handed out or put into the picture */                              \
-  X(process_ray)    /* a trace process's ray, not a shadow ray, begun or taken up: it keeps … */ \
-                    /* … them, and the sequential renderer does not */                           \
-  X(step)           /* a step of a process, whatever it does */                                    \
-  X(send)           /* a message, at its sender */                                                 \
-  X(receive)        /* a message, at its receiver */                                               \
-  X(pack)           /* a byte, at its sender */                                                    \
-  X(unpack)         /* a byte, at its receiver */                                                  \
-  X(latency)        /* from node to node */                                                        \
-  X(gap)            /* a byte through the port of a node */                                        \
-  X(shared_gap)     /* a byte through what all nodes share; 0: they share nothing */               \
-  X(local_latency)  /* within a node */                                                            \
-  X(local_gap)                                                                                     \
-  X(contention) /* a step takes this share longer for each other busy processor of its node */     \
+#define RAYSHADE_MACHINE(X)                                                                      \
+  X(nodes)                                                                                       \
+  X(processors) /* of a node; each has one trace process */                                      \
+  X(memory)     /* bytes of a node */                                                            \
+  X(system)     /* bytes that operating system, PVM and program take of each processor */        \
+  X(host_apart) /* 1: the host has a node of its own; 0: it is on the first */                   \
+  X(slowness)   /* operations take so many times as long as stated here, on one processor … */ \
+  X(node_slowness) /* … and a node so many times as long as that one */                        \
+  X(ray)           /* a ray of any kind begun */                                                 \
+  X(node_visit)    /* operations, as in op_counts.h; these two by bundles … */                 \
+  X(primitive_test)                                                                              \
+  X(lone_visit) /* … and these by rays alone */                                                \
+  X(lone_test)                                                                                   \
+  X(cell_step)                                                                                   \
+  X(cell_test)                                                                                   \
+  X(cell_trace)                                                                                  \
+  X(shade)                                                                                       \
+  X(light_sample)                                                                                \
+  X(object)         /* an object stored before tracing, its share of the hierarchy */            \
+  X(fetched_object) /* the same while tracing, in the hierarchy of a cell */                     \
+  X(lent_object)    /* at the owner of a fetched object: looked up and encoded */                \
+  X(sample)         /* a sample handed out or put into the picture */                            \
+  X(process_ray)    /* a ray, not a shadow ray, spawned or taken up by a trace process: … */   \
+                    /* … it keeps lists of them; the sequential renderer does not */           \
+  X(step)           /* a step of a process, whatever it does */                                  \
+  X(send)           /* a message, at its sender */                                               \
+  X(receive)        /* a message, at its receiver */                                             \
+  X(pack)           /* a byte, at its sender */                                                  \
+  X(unpack)         /* a byte, at its receiver */                                                \
+  X(latency)        /* from node to node */                                                      \
+  X(gap)            /* a byte through the port of a node */                                      \
+  X(shared_gap)     /* a byte through what all nodes share; 0: they share nothing */             \
+  X(local_latency)  /* within a node */                                                          \
+  X(local_gap)                                                                                   \
+  X(contention) /* a step takes this share longer for each other busy processor of its node */   \
   X(jitter)     /* a step takes up to this share longer, as the schedule's seed says */
 
 struct Machine {

@@ -108,9 +108,11 @@ void Simulator::Step(ProcessId id) {
   if (!made) return;
 
   const WorkDone done = state.process->work_done();
-  double seconds = timing_->StepSeconds(id, state.done, done);
-  if (taken > 0) seconds += timing_->ReceiveSeconds(taken);
+  WorkDone work = done;
+  work -= state.done;
   state.done = done;
+  double seconds = timing_->StepSeconds(id, work);
+  if (taken > 0) seconds += timing_->ReceiveSeconds(taken);
   departures_.clear();  // each message leaves when it is sent, in seconds since the step began
   for (const uint32_t parcel : outgoing_) {
     seconds += timing_->SendSeconds(parcels_[parcel].bytes.size());

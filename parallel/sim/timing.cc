@@ -11,34 +11,21 @@ namespace {
 
 double UnitOf(uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1.0p-53; }
 
-double Difference(uint64_t after, uint64_t before) { return static_cast<double>(after - before); }
-
-// Rays, operations and objects of `after` that are not in `before`.
-double CostBetween(const Machine& m, const WorkDone& before, const WorkDone& after) {
-  const OpCounts &a = before.counts, &b = after.counts;
-  const double operations =
-      m.ray * Difference(b.total_rays(), a.total_rays()) +
-      m.node_visit * Difference(b.node_visits - b.lone_visits, a.node_visits - a.lone_visits) +
-      m.primitive_test *
-          Difference(b.primitive_tests - b.lone_tests, a.primitive_tests - a.lone_tests) +
-      m.lone_visit * Difference(b.lone_visits, a.lone_visits) +
-      m.lone_test * Difference(b.lone_tests, a.lone_tests) +
-      m.cell_step * Difference(b.cell_steps, a.cell_steps) +
-      m.cell_test * Difference(b.cell_tests, a.cell_tests) +
-      m.cell_trace * Difference(b.cell_traces, a.cell_traces) +
-      m.shade * Difference(b.shades, a.shades) +
-      m.light_sample * Difference(b.light_samples, a.light_samples) +
-      m.object * Difference(after.objects_taken, before.objects_taken) +
-      m.fetched_object * Difference(after.objects_fetched, before.objects_fetched) +
-      m.lent_object * Difference(after.objects_lent, before.objects_lent) +
-      m.sample * Difference(after.samples, before.samples);
-  return m.slowness * m.node_slowness * operations;
-}
-
 }  // namespace
 
-double CostOf(const Machine& machine, const WorkDone& work) {
-  return CostBetween(machine, {}, work);
+double CostOf(const Machine& m, const WorkDone& work) {
+  const OpCounts& c = work.counts;
+  const auto times = [](double unit, uint64_t n) { return unit * static_cast<double>(n); };
+  const double operations =
+      times(m.ray, c.total_rays()) + times(m.node_visit, c.node_visits - c.lone_visits) +
+      times(m.primitive_test, c.primitive_tests - c.lone_tests) +
+      times(m.lone_visit, c.lone_visits) + times(m.lone_test, c.lone_tests) +
+      times(m.cell_step, c.cell_steps) + times(m.cell_test, c.cell_tests) +
+      times(m.cell_trace, c.cell_traces) + times(m.shade, c.shades) +
+      times(m.light_sample, c.light_samples) + times(m.object, work.objects_taken) +
+      times(m.fetched_object, work.objects_fetched) + times(m.lent_object, work.objects_lent) +
+      times(m.sample, work.samples);
+  return m.slowness * m.node_slowness * operations;
 }
 
 MachineTiming::MachineTiming(const Machine& machine, size_t processes, uint64_t seed)
@@ -58,11 +45,11 @@ size_t MachineTiming::NodeOf(ProcessId process) const {
   return static_cast<size_t>((process - 1) / machine_.processors);
 }
 
-double MachineTiming::StepSeconds(ProcessId, const WorkDone& before, const WorkDone& after) {
+double MachineTiming::StepSeconds(ProcessId, const WorkDone& work) {
   random_ = MixBits(random_);
   const double besides = machine_.slowness * machine_.node_slowness * machine_.process_ray *
-                         Difference(after.rays_kept(), before.rays_kept());
-  return (machine_.step + CostBetween(machine_, before, after) + besides) *
+                         static_cast<double>(work.rays_kept());
+  return (machine_.step + CostOf(machine_, work) + besides) *
          (1 + machine_.jitter * UnitOf(random_));
 }
 

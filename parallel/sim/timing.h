@@ -14,8 +14,8 @@ class Timing {
  public:
   virtual ~Timing() = default;
 
-  // Seconds of a step, without its messages.
-  virtual double StepSeconds(ProcessId process, const WorkDone& before, const WorkDone& after) = 0;
+  // Seconds of a step that did this work, without its messages.
+  virtual double StepSeconds(ProcessId process, const WorkDone& work) = 0;
   // What a message costs its sender and its receiver, who do nothing else meanwhile.
   virtual double SendSeconds(size_t bytes) = 0;
   virtual double ReceiveSeconds(size_t bytes) = 0;
@@ -34,7 +34,7 @@ class MachineTiming : public Timing {
   // processes: the host and the trace processes. seed: of the jitter.
   MachineTiming(const Machine& machine, size_t processes, uint64_t seed);
 
-  double StepSeconds(ProcessId process, const WorkDone& before, const WorkDone& after) override;
+  double StepSeconds(ProcessId process, const WorkDone& work) override;
   double SendSeconds(size_t bytes) override;
   double ReceiveSeconds(size_t bytes) override;
   double ArrivalTime(ProcessId from, ProcessId to, size_t bytes, double now) override;

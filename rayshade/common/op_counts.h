@@ -38,6 +38,11 @@ struct KindCounts {
     hits += o.hits;
     return *this;
   }
+  KindCounts& operator-=(const KindCounts& o) {
+    tests -= o.tests;
+    hits -= o.hits;
+    return *this;
+  }
 };
 
 struct OpCounts {
@@ -54,6 +59,14 @@ struct OpCounts {
     RAYSHADE_OP_COUNTS(RAYSHADE_ADD)
 #undef RAYSHADE_ADD
     for (int i = 0; i < kGeomKinds; ++i) kinds[i] += o.kinds[i];
+    return *this;
+  }
+  // o: counts of the same from before.
+  OpCounts& operator-=(const OpCounts& o) {
+#define RAYSHADE_SUBTRACT(name) name -= o.name;
+    RAYSHADE_OP_COUNTS(RAYSHADE_SUBTRACT)
+#undef RAYSHADE_SUBTRACT
+    for (int i = 0; i < kGeomKinds; ++i) kinds[i] -= o.kinds[i];
     return *this;
   }
 };

@@ -70,7 +70,7 @@ measure_operations() { # FILE: for fit.awk
     for scene in lights balls4 balls5 balls6 room8; do
       for schedule in data-parallel hybrid; do
         for processes in 1 3; do
-          beside "$build/step_costs" "$scene-$schedule-$processes" "$out/$scene.ray" 256 $schedule $processes
+          beside "$build/step_costs" "$scene-$schedule-$processes" "$out/$scene.ray" 512 $schedule $processes
         done
       done
     done

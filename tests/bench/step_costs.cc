@@ -80,31 +80,14 @@ class MeasuredProcess : public Process {
     const double begin = ProcessorSeconds();
     const bool more = call(&counting);
     const double spent = ProcessorSeconds() - begin;
-    const WorkDone after = process_->work_done();
-    const bool fetches =
-        after.objects_fetched + after.objects_lent != before.objects_fetched + before.objects_lent;
+    WorkDone work = process_->work_done();
+    work -= before;
+    const bool fetches = work.objects_fetched + work.objects_lent > 0;
     Done* done = !traces ? before_ : fetches ? fetching_ : tracing_;
     done->seconds += spent;
+    done->work += work;
     done->packed += counting.sent;
     done->unpacked += received;
-    OpCounts& counts = done->work.counts;
-    const uint64_t shadow_rays = after.counts.shadow_rays - before.counts.shadow_rays;
-    counts.shadow_rays += shadow_rays;
-    counts.primary_rays += after.counts.total_rays() - before.counts.total_rays() - shadow_rays;
-    counts.node_visits += after.counts.node_visits - before.counts.node_visits;
-    counts.primitive_tests += after.counts.primitive_tests - before.counts.primitive_tests;
-    counts.lone_visits += after.counts.lone_visits - before.counts.lone_visits;
-    counts.lone_tests += after.counts.lone_tests - before.counts.lone_tests;
-    counts.cell_steps += after.counts.cell_steps - before.counts.cell_steps;
-    counts.cell_tests += after.counts.cell_tests - before.counts.cell_tests;
-    counts.cell_traces += after.counts.cell_traces - before.counts.cell_traces;
-    counts.shades += after.counts.shades - before.counts.shades;
-    counts.light_samples += after.counts.light_samples - before.counts.light_samples;
-    done->work.objects_taken += after.objects_taken - before.objects_taken;
-    done->work.objects_fetched += after.objects_fetched - before.objects_fetched;
-    done->work.objects_lent += after.objects_lent - before.objects_lent;
-    done->work.rays_taken_up += after.rays_taken_up - before.rays_taken_up;
-    done->work.samples += after.samples - before.samples;
     return more;
   }
 

@@ -154,7 +154,7 @@ TEST_F(RunningProcess, RefusesWhatMakesNoSense) {
 }
 
 // What the cost model multiplies: by data parallel no ray waits for a cell, and what is taken up is
-// what other trace processes have sent.
+// what the others have sent.
 TEST(TraceProcess, CountsRaysAndHitsThatOthersHaveSent) {
   HandDrivenRun run(Balls(2, 16), Options(Schedule::kDataParallel));
   uint64_t sent = 0, taken_up = 0;
@@ -171,7 +171,7 @@ TEST(TraceProcess, CountsRaysAndHitsThatOthersHaveSent) {
     while (!under_way.empty()) {
       const SentMessage s = std::move(under_way.front());
       under_way.pop_front();
-      if (s.from != kHost && s.tag == Tag::kRayTask) sent += rays_of(Decode<RayTask>(s.bytes));
+      if (s.tag == Tag::kRayTask) sent += rays_of(Decode<RayTask>(s.bytes));
       if (s.tag == Tag::kIntersectionTask) sent += rays_of(Decode<IntersectionTask>(s.bytes));
       carry(run.Tell(s));
     }

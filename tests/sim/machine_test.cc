@@ -80,7 +80,7 @@ TEST(Machine, ANodeIsSlowerThanTheProcessorOfTheSequentialTimes) {
   EXPECT_DOUBLE_EQ(CostOf(machine, work), 2 * before);
 }
 
-// The sequential renderer keeps no rays, a trace process no shadow rays.
+// The sequential renderer keeps no rays, a trace process none of its pyramids and no shadow rays.
 TEST(Machine, ARayCostsATraceProcessMoreThanTheSequentialRenderer) {
   Machine machine = FindMachine("cluster-1g");
   machine.slowness = 3;
@@ -91,13 +91,16 @@ TEST(Machine, ARayCostsATraceProcessMoreThanTheSequentialRenderer) {
   WorkDone work;
   work.counts.reflected_rays = 2;
   EXPECT_DOUBLE_EQ(CostOf(machine, work), 6);
-  EXPECT_DOUBLE_EQ(MachineTiming(machine, 2, 1).StepSeconds(1, {}, work), 66);
+  EXPECT_DOUBLE_EQ(MachineTiming(machine, 2, 1).StepSeconds(1, work), 66);
   work.counts.shadow_rays = 5;
   EXPECT_DOUBLE_EQ(CostOf(machine, work), 21);
-  EXPECT_DOUBLE_EQ(MachineTiming(machine, 2, 1).StepSeconds(1, {}, work), 81);
+  EXPECT_DOUBLE_EQ(MachineTiming(machine, 2, 1).StepSeconds(1, work), 81);
   work.rays_taken_up = 1;
   EXPECT_DOUBLE_EQ(CostOf(machine, work), 21);
-  EXPECT_DOUBLE_EQ(MachineTiming(machine, 2, 1).StepSeconds(1, {}, work), 111);
+  EXPECT_DOUBLE_EQ(MachineTiming(machine, 2, 1).StepSeconds(1, work), 111);
+  work.counts.primary_rays = 7;
+  EXPECT_DOUBLE_EQ(CostOf(machine, work), 42);
+  EXPECT_DOUBLE_EQ(MachineTiming(machine, 2, 1).StepSeconds(1, work), 132);
 }
 
 // What is fetched while tracing, at both ends, does not cost what was stored before.
