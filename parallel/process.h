@@ -33,21 +33,16 @@ struct WorkDone {
   uint64_t objects_taken = 0;    // own and resident ones, with the hierarchy over them
   uint64_t objects_fetched = 0;  // while tracing, with a hierarchy over each cell's
   uint64_t objects_lent = 0;     // looked up and encoded for processes that fetch them
-  uint64_t rays_taken_up = 0;    // sent here as rays or hits by any process, or waited for a cell
+  uint64_t rays_handled = 0;     // in data parallel: spawned or taken up, and again if handed on
   uint64_t samples = 0;          // handed out, and put into the picture
 
-  // What a trace process keeps lists of. Not the rays of pyramids nor shadow rays: most end where
-  // they are spawned, in bundles.
-  uint64_t rays_kept() const {
-    return counts.reflected_rays + counts.refracted_rays + rays_taken_up;
-  }
   // o: work that is part of this, from before.
   WorkDone& operator-=(const WorkDone& o) {
     counts -= o.counts;
     objects_taken -= o.objects_taken;
     objects_fetched -= o.objects_fetched;
     objects_lent -= o.objects_lent;
-    rays_taken_up -= o.rays_taken_up;
+    rays_handled -= o.rays_handled;
     samples -= o.samples;
     return *this;
   }
@@ -56,7 +51,7 @@ struct WorkDone {
     objects_taken += o.objects_taken;
     objects_fetched += o.objects_fetched;
     objects_lent += o.objects_lent;
-    rays_taken_up += o.rays_taken_up;
+    rays_handled += o.rays_handled;
     samples += o.samples;
     return *this;
   }

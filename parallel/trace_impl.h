@@ -220,7 +220,6 @@ struct TraceProcess::Impl {
   std::vector<Halt> halts;
 
   uint64_t objects_taken = 0, objects_fetched = 0, objects_lent = 0;
-  uint64_t rays_taken_up = 0;
   uint64_t bytes_held = 0;
   Statistics statistics;
   OpCounts& counts = statistics.counts;

@@ -17,7 +17,8 @@ bool TraceProcess::finished() const { return impl_->stopped; }
 
 WorkDone TraceProcess::work_done() const {
   const Impl& p = *impl_;
-  return {p.counts, p.objects_taken, p.objects_fetched, p.objects_lent, p.rays_taken_up, 0};
+  return {p.counts, p.objects_taken, p.objects_fetched, p.objects_lent,
+          p.statistics.data_rays + p.statistics.forwarded_rays};
 }
 
 uint64_t TraceProcess::bytes_held() const { return impl_->bytes_held; }
@@ -192,7 +193,6 @@ void TraceProcess::Impl::On(ProcessId from, RayTask& message, Outbox*) {
     queue.Push(rays.bundle.rays[i], rays.media(i), rays.travel[i]);
   }
   statistics.data_rays += rays.size();
-  rays_taken_up += rays.size();
   if (from == kHost) counts.primary_rays += rays.size();
 }
 
@@ -204,7 +204,6 @@ void TraceProcess::Impl::On(ProcessId, IntersectionTask& message, Outbox*) {
       throw WireError("a hit of another's");
     }
   }
-  rays_taken_up += rays.size();
   transferred.Append(rays);
 }
 

@@ -142,7 +142,6 @@ void TraceProcess::Impl::TakeCell(CellReply&& reply, Outbox* outbox) {
   const auto node = waiting.extract(reply.cell);
   WaitingForCell& waiters = node.mapped();
   waiting_rays -= waiters.rays.size() + waiters.hits.size();
-  rays_taken_up += waiters.rays.size() + waiters.hits.size();
   ShadeLocated(waiters.hits, outbox);
   TraceRays(waiters.rays, outbox);
   ResumeShadows(waiters.shadows, reply.cell, outbox);

@@ -38,8 +38,8 @@ namespace rayshade::parallel {
   X(fetched_object) /* the same while tracing, in the hierarchy of a cell */                     \
   X(lent_object)    /* at the owner of a fetched object: looked up and encoded */                \
   X(sample)         /* a sample handed out or put into the picture */                            \
-  X(process_ray)    /* a ray, not a shadow ray, spawned or taken up by a trace process: … */   \
-                    /* … it keeps lists of them; the sequential renderer does not */           \
+  X(process_ray)    /* a ray of a trace process in data parallel: spawned or taken up, … */    \
+                    /* … and again if handed on; the sequential renderer has none */           \
   X(step)           /* a step of a process, whatever it does */                                  \
   X(send)           /* a message, at its sender */                                               \
   X(receive)        /* a message, at its receiver */                                             \

@@ -48,7 +48,7 @@ size_t MachineTiming::NodeOf(ProcessId process) const {
 double MachineTiming::StepSeconds(ProcessId, const WorkDone& work) {
   random_ = MixBits(random_);
   const double besides = machine_.slowness * machine_.node_slowness * machine_.process_ray *
-                         static_cast<double>(work.rays_kept());
+                         static_cast<double>(work.rays_handled);
   return (machine_.step + CostOf(machine_, work) + besides) *
          (1 + machine_.jitter * UnitOf(random_));
 }

@@ -105,7 +105,7 @@ void Print(const std::string& name, const Done& done) {
        {c.total_rays(), c.node_visits - c.lone_visits, c.primitive_tests - c.lone_tests,
         c.lone_visits, c.lone_tests, c.cell_steps, c.cell_tests, c.cell_traces, c.shades,
         c.light_samples, done.work.objects_taken, done.work.objects_fetched, done.work.objects_lent,
-        done.work.samples, done.packed, done.unpacked, done.work.rays_kept()})
+        done.work.samples, done.packed, done.unpacked, done.work.rays_handled})
     std::printf(" %llu", static_cast<unsigned long long>(n));
   std::printf("\n");
 }

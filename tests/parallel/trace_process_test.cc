@@ -153,11 +153,11 @@ TEST_F(RunningProcess, RefusesWhatMakesNoSense) {
   EXPECT_EQ(run_.Tell(2, 1, CellRequest{CellOf(1)}).size(), 1u) << "it answers as before";
 }
 
-// What the cost model multiplies: by data parallel no ray waits for a cell, and what is taken up is
-// what the others have sent.
-TEST(TraceProcess, CountsRaysAndHitsThatOthersHaveSent) {
+// What the cost model multiplies: rays that the host or another has sent or that are spawned here,
+// and once more those that are handed on.
+TEST(TraceProcess, CountsRaysThatItTakesUpSpawnsAndHandsOn) {
   HandDrivenRun run(Balls(2, 16), Options(Schedule::kDataParallel));
-  uint64_t sent = 0, taken_up = 0;
+  uint64_t from_host = 0, handed_on = 0, spawned = 0, handled = 0;
   std::deque<SentMessage> under_way;
   const auto carry = [&](const std::vector<SentMessage>& messages) {
     under_way.insert(under_way.end(), messages.begin(), messages.end());
@@ -171,14 +171,18 @@ TEST(TraceProcess, CountsRaysAndHitsThatOthersHaveSent) {
     while (!under_way.empty()) {
       const SentMessage s = std::move(under_way.front());
       under_way.pop_front();
-      if (s.tag == Tag::kRayTask) sent += rays_of(Decode<RayTask>(s.bytes));
-      if (s.tag == Tag::kIntersectionTask) sent += rays_of(Decode<IntersectionTask>(s.bytes));
+      if (s.tag == Tag::kRayTask) {
+        (s.from == kHost ? from_host : handed_on) += rays_of(Decode<RayTask>(s.bytes));
+      }
       carry(run.Tell(s));
     }
   }
-  for (const auto& trace : run.trace) taken_up += trace->work_done().rays_taken_up;
-  EXPECT_GT(sent, 0u);
-  EXPECT_EQ(taken_up, sent);
+  for (const auto& trace : run.trace) {
+    spawned += trace->work_done().counts.reflected_rays;
+    handled += trace->work_done().rays_handled;
+  }
+  EXPECT_GT(handed_on, 0u);
+  EXPECT_EQ(handled, from_host + spawned + 2 * handed_on);
 }
 
 TEST(TraceProcess, KnowsNothingBeforeItsSetUp) {
