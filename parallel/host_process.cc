@@ -81,6 +81,8 @@ HostProcess::HostProcess(const RunOptions& options, ObjectSpool* spool, int fram
 
 HostProcess::~HostProcess() = default;
 
+size_t HostProcess::unsent() const { return feed_->unsent(); }
+
 WorkDone HostProcess::work_done() const {
   WorkDone done;
   done.counts.cell_steps = feed_->cell_steps();
@@ -377,9 +379,9 @@ bool HostProcess::HandOut(Outbox* outbox) {
   // New rays in portions worth sending: waits until a good part of the limit is free.
   const size_t room = in_flight_limit_ - in_flight_;
   const size_t portion = std::min<size_t>(options_.pyramid, in_flight_limit_);
-  if (room < portion) return false;
-  const size_t handed_out = feed_->HandOut(room, sampling_.get(), outbox);
+  const size_t handed_out = room < portion ? 0 : feed_->HandOut(room, sampling_.get(), outbox);
   in_flight_ += handed_out;
+  if (handed_out == 0) feed_->Flush(outbox);
   return handed_out > 0;
 }
 

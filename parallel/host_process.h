@@ -56,7 +56,8 @@ class HostProcess : public Process {
   const std::string& failure() const { return failure_; }  // "" unless phase() is kFailed
   const PixelSampling& sampling() const { return *sampling_; }
   const CellTree& tree() const { return tree_; }
-  uint64_t in_flight() const { return in_flight_; }  // primary rays
+  uint64_t in_flight() const { return in_flight_; }  // primary rays, unsent ones counted
+  size_t unsent() const;
   uint32_t in_flight_limit() const { return in_flight_limit_; }
   uint64_t samples_done() const { return samples_done_; }
   // One for each trace process; filled when phase() is kDone. [0] is process 1.

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "parallel/message.h"
-#include "parallel/ray_packer.h"
 
 namespace rayshade::parallel {
 
@@ -36,7 +35,6 @@ void PyramidFeed::LookAhead(PixelSampling* sampling) {
 
 PyramidFeed::Pyramid PyramidFeed::TakeFor(ProcessId process, PixelSampling* sampling) {
   if (owners_.empty()) return {Next(sampling), process};
-  LookAhead(sampling);
   auto best = ahead_.begin();
   const auto rank = [process](const Pyramid& p) {
     return p.owner == process ? 0 : p.owner == kHost ? 1 : 2;
@@ -63,7 +61,7 @@ size_t PyramidFeed::VoidsAtOnce(const Picture& picture) const {
 
 size_t PyramidFeed::HandOut(size_t room, PixelSampling* sampling, Outbox* outbox) {
   size_t handed_out = 0;
-  while (!requests_.empty() && handed_out < room) {
+  while (!requests_.empty()) {
     const ProcessId to = requests_.front();
     PrimaryRays message;
     LookAhead(sampling);
@@ -89,6 +87,7 @@ DataParallelFeed::DataParallelFeed(const Camera* camera, const CellTree* tree, P
       tree_(tree),
       walk_(tree),
       processes_(processes),
+      packer_(processes),
       all_empty_(tree->nodes().size()) {
   const auto& nodes = tree->nodes();
   for (size_t i = nodes.size(); i-- > 0;) {
@@ -100,36 +99,28 @@ DataParallelFeed::DataParallelFeed(const Camera* camera, const CellTree* tree, P
 
 size_t DataParallelFeed::HandOut(size_t room, PixelSampling* sampling, Outbox* outbox) {
   constexpr size_t kAtOnce = 1024;
-  RayPacker packer(processes_);
-  std::vector<Ray> rays;
-  size_t handed_out = 0;
-  while (handed_out < room) {
-    const std::vector<Sample> samples = sampling->Next(std::min(kAtOnce, room - handed_out));
-    if (samples.empty()) break;
-    handed_out += samples.size();
-    rays.clear();
-    camera_->AppendPrimaryRays(samples, &rays);
-    for (size_t i = 0; i < samples.size(); ++i) {
-      const Ray& ray = rays[i];
-      Travel travel;
-      travel.back = {kHost, TokenOf(samples[i])};
-      cell_steps_ += walk_.Visit(
-          ray.origin, ray.direction, kFar, [this](uint32_t node) { return all_empty_[node] != 0; },
-          [&travel](CellId cell, const RayInterval&) {
-            travel.resume = cell;
-            return false;
-          });
-      ProcessId to = turn_;
-      if (travel.resume != kNoCell) {
-        to = tree_->cell(travel.resume).owner;
-      } else {
-        turn_ = turn_ == processes_ ? 1 : turn_ + 1;
-      }
-      packer.AddRay(to, ray, {}, travel, outbox);
+  const std::vector<Sample> samples = sampling->Next(std::min(kAtOnce, room));
+  rays_.clear();
+  camera_->AppendPrimaryRays(samples, &rays_);
+  for (size_t i = 0; i < samples.size(); ++i) {
+    const Ray& ray = rays_[i];
+    Travel travel;
+    travel.back = {kHost, TokenOf(samples[i])};
+    cell_steps_ += walk_.Visit(
+        ray.origin, ray.direction, kFar, [this](uint32_t node) { return all_empty_[node] != 0; },
+        [&travel](CellId cell, const RayInterval&) {
+          travel.resume = cell;
+          return false;
+        });
+    ProcessId to = turn_;
+    if (travel.resume != kNoCell) {
+      to = tree_->cell(travel.resume).owner;
+    } else {
+      turn_ = turn_ == processes_ ? 1 : turn_ + 1;
     }
+    packer_.AddRay(to, ray, {}, travel, outbox);
   }
-  packer.Flush(outbox);
-  return handed_out;
+  return samples.size();
 }
 
 }  // namespace rayshade::parallel

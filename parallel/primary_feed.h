@@ -9,6 +9,7 @@
 #include "parallel/cell_walk.h"
 #include "parallel/expected_owners.h"
 #include "parallel/process.h"
+#include "parallel/ray_packer.h"
 #include "parallel/run_options.h"
 #include "rayshade/render/camera.h"
 #include "rayshade/render/pixel_sampling.h"
@@ -21,8 +22,11 @@ class PrimaryFeed {
   virtual void OnRequest(ProcessId) {}
   // Does what can be done before there are requests; nobody waits for it.
   virtual void Prepare(PixelSampling*) {}
-  // Hands out samples while there are any, at most `room`; returns how many.
+  // Hands out samples while there are any, at most `room`, and no more than a step of work; returns
+  // how many. Messages that are not full may wait for more samples, until Flush.
   virtual size_t HandOut(size_t room, PixelSampling* sampling, Outbox* outbox) = 0;
+  virtual void Flush(Outbox*) {}
+  virtual size_t unsent() const { return 0; }  // samples that wait for Flush
   // Cells of the subdivision walked through so far.
   virtual uint64_t cell_steps() const { return 0; }
 };
@@ -67,6 +71,8 @@ class DataParallelFeed : public PrimaryFeed {
  public:
   DataParallelFeed(const Camera* camera, const CellTree* tree, ProcessId processes);
   size_t HandOut(size_t room, PixelSampling* sampling, Outbox* outbox) override;
+  void Flush(Outbox* outbox) override { packer_.Flush(outbox); }
+  size_t unsent() const override { return packer_.size(); }
   uint64_t cell_steps() const override { return cell_steps_; }
 
  private:
@@ -76,6 +82,8 @@ class DataParallelFeed : public PrimaryFeed {
   ProcessId processes_;
   uint64_t cell_steps_ = 0;
   ProcessId turn_ = 1;
+  RayPacker packer_;
+  std::vector<Ray> rays_;           // of the step at hand
   std::vector<uint8_t> all_empty_;  // by node
 };
 

@@ -164,9 +164,11 @@ void Invariants::OnStep(ProcessId process, double, double, size_t) {
   const uint64_t in_flight = processes_->host.in_flight();
   if (in_flight > processes_->host.in_flight_limit())
     Broken(std::to_string(in_flight) + " primary rays are in flight");
-  if (in_flight != in_messages_ + in_all_processes_) {
-    Broken(std::to_string(in_flight) + " primary rays are in flight; rays in messages: " +
-           std::to_string(in_messages_) + ", in processes: " + std::to_string(in_all_processes_));
+  const size_t unsent = processes_->host.unsent();
+  if (in_flight != unsent + in_messages_ + in_all_processes_) {
+    Broken(std::to_string(in_flight) + " primary rays are in flight; rays in the host: " +
+           std::to_string(unsent) + ", in messages: " + std::to_string(in_messages_) +
+           ", in processes: " + std::to_string(in_all_processes_));
   }
 }
 

@@ -69,7 +69,7 @@ measure_operations() { # FILE: for fit.awk
     done
     for scene in lights balls4 balls5 balls6 room8; do
       for schedule in data-parallel hybrid; do
-        for processes in 1 3; do
+        for processes in 1 2; do
           beside "$build/step_costs" "$scene-$schedule-$processes" "$out/$scene.ray" 512 $schedule $processes
         done
       done
