@@ -1,7 +1,6 @@
 // An allocator for large arrays that begin as zeros and are written soon: it takes pages from the
-// operating system, which are zeros already, and large ones where it has them, so that it is not
-// entered for every four kilobytes. They are fetched at once: whoever writes does not wait for
-// them.
+// operating system, which are zeros already, and fetches them at once: whoever writes does not wait
+// for them. Not large pages: a virtual machine may take half a millisecond and more for each.
 //
 //   1. New elements are zero bytes without being written: T{} must be that, and an array must not
 //      be made smaller and larger again.
@@ -29,9 +28,8 @@ struct ZeroPages {
     void* const pages = mmap(nullptr, count * sizeof(T), PROT_READ | PROT_WRITE,
                              MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (pages == MAP_FAILED) throw std::bad_alloc();
-    madvise(pages, count * sizeof(T), MADV_HUGEPAGE);  // no more than advice, as the next
 #ifdef MADV_POPULATE_WRITE
-    madvise(pages, count * sizeof(T), MADV_POPULATE_WRITE);
+    madvise(pages, count * sizeof(T), MADV_POPULATE_WRITE);  // no more than advice
 #endif
     return static_cast<T*>(pages);
   }
