@@ -1,8 +1,9 @@
-// Which pyramid answers a request.
+// Which pyramid answers a request, and how primary rays leave a data-parallel host.
 #include "parallel/primary_feed.h"
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 #include <vector>
 
@@ -125,6 +126,42 @@ TEST_F(Pyramids, AreNotLostWhenTwoProcessesAskInTurn) {
   EXPECT_EQ(samples, 8u * 9);
   EXPECT_EQ(ColumnOf(0), 0);
   EXPECT_EQ(ColumnOf(1), 3);
+}
+
+struct CountRayTasks : Outbox {
+  void Send(ProcessId to, std::vector<uint8_t> bytes) override {
+    by_process[to] += Decode<RayTask>(bytes).primary.size();
+    ++messages;
+  }
+  std::map<ProcessId, size_t> by_process;
+  size_t messages = 0;
+};
+
+// A step is bounded, however much room there is; a pack that is not full waits for the next step.
+TEST(DataParallelFeed, HandsOutAThousandRaysAStepAndKeepsPacksThatAreNotFull) {
+  Settings settings;
+  settings.width = 64;
+  settings.height = 40;
+  settings.samples = 1;
+  settings.jitter = false;
+  const Camera camera(settings, 0);
+  PixelSampling sampling(settings, camera, true);
+  CellTree tree(Bounds{{0, 0, 0}, {1, 1, 1}});
+  DataParallelFeed feed(&camera, &tree, 2);  // nothing is there: the rays go in turn
+  CountRayTasks sent;
+  size_t handed_out = 0;
+  while (const size_t more = feed.HandOut(100000, &sampling, &sent)) {
+    EXPECT_LE(more, 1024u);
+    handed_out += more;
+    EXPECT_EQ(handed_out, sent.by_process[1] + sent.by_process[2] + feed.unsent());
+  }
+  EXPECT_EQ(handed_out, 64u * 41) << "the row below the picture as well";
+  EXPECT_EQ(sent.messages, 2u) << "each holds what is sent when a pack is full";
+  EXPECT_GT(feed.unsent(), 0u);
+  feed.Flush(&sent);
+  EXPECT_EQ(feed.unsent(), 0u);
+  EXPECT_EQ(sent.by_process[1] + sent.by_process[2], handed_out);
+  EXPECT_LE(sent.by_process[1] - sent.by_process[2], 1u);
 }
 
 }  // namespace
