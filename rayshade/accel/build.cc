@@ -234,6 +234,9 @@ class Builder {
       node.branch[i] = MakeBranch(kInnerNode, child++, 0);
       out_.nodes.push_back(Node{});
     }
+    for (int i = 0; i < count; ++i) {
+      if (leaf[i]) PrefetchObjects(parts[i]);
+    }
     Box all = Box::Empty();
     for (int i = 0; i < kNodeWidth; ++i) {
       Box box = Box::Empty();
@@ -245,6 +248,16 @@ class Builder {
     }
     out_.nodes[index] = node;
     return all;
+  }
+
+  // Soon they will be laid down as a leaf; they lie anywhere in the piece.
+  void PrefetchObjects(const Range& range) const {
+    for (uint32_t i = 0; i < range.count(); ++i) {
+      const uint32_t object = ObjectOf(BoxesOf(range)[i]);
+      if (object >= spheres_.size()) return;
+      __builtin_prefetch(spheres_.data() + object);
+      __builtin_prefetch(keys_.data() + object);
+    }
   }
 
   // Returns the leaf's box, rounded outwards.

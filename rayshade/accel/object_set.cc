@@ -67,9 +67,9 @@ void ObjectSet::Impl::Build() {
   objects.Settle();
   FindOpaque();
   FindCenter(objects, view.center);
-  for (uint32_t i = 0; i < objects.size(); ++i) {
-    if (!objects.is_sphere(i) && !others.bounded(i)) continue;
-    bounds.Include(objects.WorldBox(i));
+  bounds = objects.BoxOfSpheres();
+  for (uint32_t i = objects.sphere_count(); i < objects.size(); ++i) {
+    if (others.bounded(i)) bounds.Include(objects.WorldBox(i));
   }
   // The hierarchy.
   std::vector<BuildRef> refs = objects.RefsOfBounded(view.center);

@@ -306,10 +306,32 @@ Bounds StoredObjects::WorldBox(uint32_t object) const {
       for (const Vector& p : PointsOf(polygons_[at.index])) box.Include(p);
     }
   }
-  // The very steps of WorldBounds.
-  const size_t levels = scene_->placement(key(object).placement).levels.size();
-  for (size_t i = 0; i < 2 * levels; ++i) box.Grow(kEpsilon);
+  GrowAsPlaced(key(object).placement, &box);
   return box;
+}
+
+// Spheres of one placement grow together: the least of what has grown is what has grown of the
+// least.
+Bounds StoredObjects::BoxOfSpheres() const {
+  Bounds all;
+  for (size_t begin = 0, end; begin < spheres_.size(); begin = end) {
+    const PlacementId placement = keys_[begin].placement;
+    Bounds box;
+    for (end = begin; end < spheres_.size() && keys_[end].placement == placement; ++end) {
+      const SphereRecord& s = spheres_[end];
+      const Vector center{s.x, s.y, s.z}, r{s.radius, s.radius, s.radius};
+      box.Include({center - r, center + r});
+    }
+    GrowAsPlaced(placement, &box);
+    all.Include(box);
+  }
+  return all;
+}
+
+// The very steps of WorldBounds.
+void StoredObjects::GrowAsPlaced(PlacementId placement, Bounds* box) const {
+  const size_t levels = scene_->placement(placement).levels.size();
+  for (size_t i = 0; i < 2 * levels; ++i) box->Grow(kEpsilon);
 }
 
 Quad StoredObjects::QuadAround(uint32_t object, const double center[3]) const {

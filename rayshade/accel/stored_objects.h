@@ -60,6 +60,7 @@ class StoredObjects {
   const double* SphereRow(uint32_t object, uint32_t* stride) const;
 
   Bounds WorldBox(uint32_t object) const;
+  Bounds BoxOfSpheres() const;  // around the world boxes of all; before Permute
   Quad QuadAround(uint32_t object, const double center[3]) const;  // of one that is no sphere
   // The parts of all polygons, as FlatObjects has them.
   void CutPolygons(const double center[3], std::vector<float>* parts);
@@ -79,6 +80,7 @@ class StoredObjects {
   void SettleItems();
   void RemoveDuplicates();
   double RoomOf(uint32_t object) const;
+  void GrowAsPlaced(PlacementId placement, Bounds* box) const;
   bool StaysFlat(PlacementId placement) const { return scene_->placement(placement).in_place; }
 
   const Scene* scene_;

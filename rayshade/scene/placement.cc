@@ -89,7 +89,9 @@ Bounds OuterBounds(const Attributes& attributes, const Bounds& own,
   const TransformChain& chain = attributes.transforms;
   Bounds box = own;
   box.Grow(kEpsilon);
-  if (chain.animated() && shutter.close > shutter.open) {
+  if (chain.size() == 0) {
+    // Millions of objects have none.
+  } else if (chain.animated() && shutter.close > shutter.open) {
     Bounds swept;
     for (int i = 0; i <= kBoundsMoments; ++i) {
       const double part = static_cast<double>(i) / kBoundsMoments;
